@@ -75,6 +75,8 @@ tedit::error usage_error(const CLI::App& app, const CLI::ParseError& e) {
 
 }  // namespace
 
+// No command can be made without memory: then the program may end by the exception.
+// NOLINTNEXTLINE(bugprone-exception-escape)
 int main(int argc, char** argv) {
   tedit::return_large_blocks();
   tedit::cli::session session;

@@ -213,7 +213,7 @@ expected<void> copy_with_edit(const fs::path& from, const fs::path& to, const ne
     if (auto copied = (*source)->copy_to(to); !copied)
       return fail(copied.error());
   }
-  const auto added = [&]() -> expected<void> {
+  auto added = [&]() -> expected<void> {
     const auto document = store::document::open(to);
     if (!document)
       return fail(document.error());

@@ -72,7 +72,7 @@ expected<void> recipe_runner::write_files(const client::compare_step& s,
     files_.push_back(vtu.string());
   if (s.png.empty())
     return {};
-  const auto drawn = draw_difference(vtu, png, s.title, make_execution(session_));
+  auto drawn = draw_difference(vtu, png, s.title, make_execution(session_));
   std::error_code ignored;
   if (aside)
     std::filesystem::remove(vtu, ignored);

@@ -46,7 +46,7 @@ std::vector<std::pair<vtu_array, std::vector<double>>> arrays_of(const client::c
   std::vector<double> marks;
   for (const auto mark : made.marks)
     marks.push_back(static_cast<double>(mark));
-  result.push_back({{std::string(mark_array), 1, {}}, std::move(marks)});
+  result.emplace_back(vtu_array{std::string(mark_array), 1, {}}, std::move(marks));
   for (const auto& [name, values] : made.differences)
     result.push_back({{name + std::string(difference_ending),
                        static_cast<int>(values.size() / made.vertices.size()),

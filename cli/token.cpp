@@ -16,7 +16,7 @@ namespace tedit::cli {
 namespace {
 
 expected<std::string> make_token_file(const std::filesystem::path& file) {
-  const auto token = make_token();
+  auto token = make_token();
   if (!token)
     return token;
   std::error_code code;
