@@ -67,9 +67,8 @@ public:
 
   /// Gives a document of the server another name, whether anybody has it open or not; all who have
   /// it open hear of it. Nothing when it has that name already. Errors: `invalid_argument` for a
-  /// name that no document can have, `conflict` for one that is taken, while another program has
-  /// the document and while it is opened, closed, copied or renamed, `not_found`, `storage_error`
-  /// for a document that is damaged.
+  /// name that no document can have, `conflict` for one that is taken and while another program has
+  /// the document, `not_found`, `storage_error` for a document that is damaged.
   [[nodiscard]] expected<void> rename_on_server(const std::string& document,
                                                 const std::string& name);
 

@@ -72,7 +72,7 @@ std::vector<vec3> volume_slopes(const mesh_version& mesh, const std::vector<face
 
 }  // namespace
 
-expected<drag> drag::prepare(const version_ptr& mesh, drag_handle handle, deform_zone zone,
+expected<drag> drag::prepare(const version_ptr& mesh, const drag_handle& handle, deform_zone zone,
                              vec3 direction, bool keep_volume, const execution& run) {
   drag result(mesh, united(handle.vertices, zone.free));
   result.direction_ = direction;

@@ -14,7 +14,7 @@ public:
   /// `keep_volume`: also how free vertices give way. Errors: those of `smooth_field`;
   /// `invalid_parameter` where the volume is to be kept and nothing can give way. Cost: the
   /// field's.
-  [[nodiscard]] static expected<drag> prepare(const version_ptr& mesh, drag_handle handle,
+  [[nodiscard]] static expected<drag> prepare(const version_ptr& mesh, const drag_handle& handle,
                                               deform_zone zone, vec3 direction, bool keep_volume,
                                               const execution& run);
 

@@ -92,7 +92,7 @@ std::string probe_plugin(const fs::path& file) {
 }
 
 std::string readable_dl_error(const char* message) {
-  const std::string text = message ? message : "it cannot be loaded";
+  std::string text = message ? message : "it cannot be loaded";
   const auto colon = text.find(": ");
   const auto subject = fs::path(text.substr(0, colon)).filename().string();
   if (const auto at = text.find("undefined symbol: "); at != std::string::npos) {

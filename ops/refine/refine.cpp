@@ -26,7 +26,7 @@ std::string count_text(double count) {
 }
 
 /// Errors: `invalid_parameter` with the size that would do.
-expected<void> check_count(const mesh_version& mesh, split_settings settings) {
+expected<void> check_count(const mesh_version& mesh, const split_settings& settings) {
   const double expected_tets = tets_after_split(mesh, settings);
   const auto most = static_cast<double>(settings.most_tets);
   if (expected_tets <= most)

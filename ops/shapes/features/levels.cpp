@@ -55,9 +55,9 @@ expected<std::vector<level>> levels_of(const mesh_version& mesh, const protrusio
       auto curved = curved_level(mesh, feature, stands_on, next);
       if (!curved)
         return fail(curved.error());
-      next = std::move(*curved);
+      next = *curved;
     }
-    levels.push_back(std::move(next));
+    levels.push_back(next);
   }
   return levels;
 }
