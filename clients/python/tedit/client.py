@@ -182,12 +182,12 @@ class Client:
         self._link = await self._connect(self._timeout)
 
     async def _end(self) -> None:
+        if self._repair:  # First: it would make another link.
+            await _stop(self._repair)
         if hasattr(self, "_link"):
             await self._link.close()
-        rest = asyncio.all_tasks() - {asyncio.current_task()}  # Calls of other threads, and a repair.
-        for task in rest:
-            task.cancel()
-        await asyncio.gather(*rest, return_exceptions=True)
+        for task in asyncio.all_tasks() - {asyncio.current_task()}:  # Calls of other threads.
+            await _stop(task)
 
     async def _connect(self, limit: float) -> Link:
         return await Link.open(self.url, self._token, self._name, limit, self._take_event, self._take_loss)
@@ -204,11 +204,15 @@ class Client:
                     raise
 
     async def _connected(self) -> Link:
-        if self._repair and not self._repair.done():
-            await asyncio.shield(self._repair)
-        elif self._link.end and self._reconnect_s and not self._closed:
+        if self._link.end and self._reconnect_s and not self._closed and (not self._repair or self._repair.done()):
             self._begin_repair()
-            await asyncio.shield(self._repair)  # type: ignore[arg-type]
+        if self._repair and not self._repair.done():
+            try:
+                await asyncio.shield(self._repair)
+            except asyncio.CancelledError:
+                if self._closed:
+                    raise errors.ConnectionLost("the client was closed") from None
+                raise
         return self._link
 
     async def _open(self, document: Document) -> None:
@@ -298,6 +302,13 @@ class Client:
         document = self._documents.get(getattr(body, "document", ""))
         if document:
             document._take(kind, body, arrays)
+
+
+async def _stop(task: asyncio.Task[typing.Any]) -> None:
+    """Cancels a task until it has ended: one whose `asyncio.wait_for` is just done goes on as if nobody had."""
+    while not task.done():
+        task.cancel()
+        await asyncio.wait({task}, timeout=0.05)
 
 
 def connect(url: str, token: str, **options: typing.Any) -> Client:

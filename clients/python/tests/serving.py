@@ -69,6 +69,7 @@ class Line:
         self._listener = socket.create_server(("127.0.0.1", 0))
         self._port = self._listener.getsockname()[1]
         self._ends: list[socket.socket] = []
+        self._broken: set[socket.socket] = set()
         self.mute = False
         self.shut = False
         self.url = f"ws://127.0.0.1:{self._port}/v1"
@@ -99,16 +100,17 @@ class Line:
     def _pump(self, source: socket.socket, target: socket.socket, may_be_mute: bool) -> None:
         try:
             while data := source.recv(65536):
-                if not (may_be_mute and self.mute):
+                if not (may_be_mute and self.mute) and target not in self._broken:
                     target.sendall(data)
             target.shutdown(socket.SHUT_WR)
         except OSError:
             pass
 
     def cut(self) -> None:
-        """What is connected now breaks; who connects from now on is heard."""
-        self.mute = False
+        """What is connected now breaks, without another word; who connects from now on is heard."""
         ends, self._ends = self._ends, []
+        self._broken.update(ends)
+        self.mute = False
         for end in ends:
             try:
                 end.shutdown(socket.SHUT_RDWR)

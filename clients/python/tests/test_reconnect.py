@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Lines that break and servers that die."""
 import threading
+import time
 import unittest
 
 from serving import LOADS, MESH, Line, Server
@@ -111,6 +112,30 @@ class Reconnecting(unittest.TestCase):
         while "copy" not in [one.name for one in other.documents()]:
             pass
         self.line.cut()
+
+    def test_a_client_can_be_closed_while_it_connects_again(self):
+        """At any moment of that; whoever waits for an answer is told."""
+        for step in range(24):
+            client = self.connect()
+            part = client.open("part")
+            self.line.cut()
+            told = []
+            asker = threading.Thread(target=lambda: told.append(self.refusal_of(part.history)))
+            asker.start()
+            time.sleep(0.003 * step)
+            closer = threading.Thread(target=client.close, daemon=True)
+            closer.start()
+            closer.join(timeout=30)
+            self.assertFalse(closer.is_alive(), step)
+            asker.join()
+            self.assertIn(type(told[0]), (errors.ConnectionLost, type(None)), step)  # None: it was answered before.
+
+    def refusal_of(self, call):
+        try:
+            call()
+        except errors.TeditError as problem:
+            return problem
+        return None
 
     def test_without_reconnecting_the_loss_is_told(self):
         part = self.connect(reconnect_s=0).open("part")

@@ -223,7 +223,7 @@ export class Client {
     const until = Date.now() + this.reconnectMs;
     for (let waitMs = 100; ; waitMs = Math.min(2 * waitMs, 2_000)) {
       try {
-        this.link = await this.connect(Math.min(this.timeoutMs, tryMs));
+        await this.renewLink();
         for (const document of [...this.documents_.values()]) await this.openAgain(document);
         return;
       } catch (problem) {
@@ -234,6 +234,14 @@ export class Client {
       }
       await new Promise((go) => setTimeout(go, waitMs));
     }
+  }
+
+  /** A client that is closed meanwhile has no link afterwards. */
+  private async renewLink(): Promise<void> {
+    if (!this.closed) this.link = await this.connect(Math.min(this.timeoutMs, tryMs));
+    if (!this.closed) return;
+    this.link.close();
+    throw new ConnectionLost("the client was closed");
   }
 
   private async openAgain(document: Document): Promise<void> {

@@ -275,6 +275,27 @@ test("a line that is silent without a word is found out", async (context) => {
   assert.equal((await mine.history()).head, 0);
 });
 
+test("a client that is closed while it connects again is gone", async (context) => {
+  for (let step = 0; step < 12; ++step) {
+    const [line, shaky] = await connectShaky(context);
+    const mine = await shaky.open(part.name);
+    const events = mine.events();
+    line.cut();
+    await next(events, "lost");
+    const asked = mine.history().catch((problem: unknown) => problem);
+    await new Promise((go) => setTimeout(go, 12 * step)); // Before, while and after it is connected.
+    shaky.close();
+    const answer = await asked;
+    assert.ok(answer instanceof tedit.ConnectionLost || "versions" in (answer as object), String(answer));
+    for (;;) {
+      const { done, value } = await events.next();
+      if (done) break;
+      assert.notEqual(value.type, "committed");
+    }
+  }
+  while ((await client.status()).connections > 1) await new Promise((go) => setTimeout(go, 20));
+});
+
 test("without reconnecting the loss is told", async (context) => {
   const [line, shaky] = await connectShaky(context, { reconnectMs: 0 });
   const mine = await shaky.open(part.name);
