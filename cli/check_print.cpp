@@ -182,7 +182,7 @@ expected<const file_format*> marked_format(const std::string& file) {
   auto format = output_format(file);
   if (format && !(*format)->keeps.fields && !(*format)->keeps.colours)
     return fail(ec::usage, "a ." + std::string((*format)->name) + " file cannot show marks",
-                "Write .vtu, .ply or .3mf");
+                "Write .vtu, or " + coloured_formats_text());
   return format;
 }
 
@@ -243,8 +243,9 @@ void add_check_print(CLI::App& app, action& chosen) {
     ->check(number_in({0, 90, {}}))
     ->capture_default_str();
   command->add_option("-o,--output", options->output,
-                      "Write the part with its marks: .ply or .3mf (thin red, overhanging orange, "
-                      "both violet) or .vtu (fields thin_wall and overhang, 0 or 1)");
+                      "Write the part with its marks: " + coloured_formats_text() +
+                        " (thin red, overhanging orange, both violet) or .vtu (fields thin_wall "
+                        "and overhang, 0 or 1)");
   command->add_flag("--strict", options->strict, "Exit status 1 where something was found");
   command->add_option("--length-unit", options->length_unit, "Unit of the file's coordinates")
     ->capture_default_str();

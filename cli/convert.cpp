@@ -69,7 +69,7 @@ expected<part_looks> looks_of(const convert_options& options, const file_format&
     return part_looks{};
   if (!format.keeps.colours)
     return fail(ec::usage, "a ." + std::string(format.name) + " file has no colours",
-                "Write .3mf or .ply, or leave out --colour");
+                "Write " + coloured_formats_text() + ", or leave out --colour");
   return make_looks(mesh, options.mesh, options.colour);
 }
 
@@ -132,8 +132,9 @@ void add_convert(CLI::App& app, action& chosen) {
     "file is a mesh that says its unit, else that of --length-unit; a file for fields is always "
     "in metres");
   command->add_option("--colour", options->colour,
-                      "Colours for .3mf and .ply: \"surface\", one for each, or a field of a mesh "
-                      "that \"tedit solve -o FILE.vtu\" wrote, as von_mises");
+                      "Colours for " + coloured_formats_text() +
+                        ": \"surface\", one for each, or a field of a mesh "
+                        "that \"tedit solve -o FILE.vtu\" wrote, as von_mises");
   command->add_option("--load-case", options->load_case,
                       "Write materials, supports and loads of a deck here (JSON)");
   command->callback(

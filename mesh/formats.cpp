@@ -110,4 +110,10 @@ std::string written_formats_text() {
   });
 }
 
+std::string coloured_formats_text() {
+  auto names = written_formats();
+  std::erase_if(names, [](std::string_view name) { return !find_format(name)->keeps.colours; });
+  return one_of(names, [](std::string_view name) { return "." + std::string(name); });
+}
+
 }  // namespace tedit

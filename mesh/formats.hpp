@@ -194,8 +194,19 @@ struct ply {
   static file_recogniser recognises;
 };
 
+/// glTF 2.0, binary, to look at: in metres, z turned up; a primitive for each surface, its material
+/// with the surface's name and id (`extras.surface`) and colour, colours of vertices beside them.
+struct glb {
+  static constexpr file_format about{"glb",
+                                     for_people("formats", "Boundary for viewers (glTF)"),
+                                     "a glTF file",
+                                     {.surfaces = true, .unit = true, .colours = true}};
+  static file_writer write;
+  static file_recogniser recognises;
+};
+
 /// In the order in which people are offered them.
-using all = std::tuple<msh, vtu, stl, obj, threemf, ply, inp, bdf, unv, msh2>;
+using all = std::tuple<msh, vtu, stl, obj, threemf, ply, glb, inp, bdf, unv, msh2>;
 
 template <class Format>
 consteval file_format describe() {
@@ -247,5 +258,8 @@ inline constexpr std::string_view document_format = "tedit";
 /// Those that are written, for a help text: ".msh (mesh), .vtu (fields for ParaView) or .stl
 /// (boundary)".
 [[nodiscard]] std::string written_formats_text();
+
+/// Those that keep colours: ".3mf, .ply or .glb".
+[[nodiscard]] std::string coloured_formats_text();
 
 }  // namespace tedit

@@ -25,7 +25,7 @@ ROOMS = {
     "tls": (("certs", "base"), ("boost/", "openssl/")),
     "mesh": (("base",), ("Eigen/",)),
     "mesh/predicates.cpp": (("mesh", "base"), ("CGAL/",)),
-    "mesh/io": (("mesh", "base"), ("pugixml", "zlib.h")),
+    "mesh/io": (("mesh", "base"), ("nlohmann/", "pugixml", "zlib.h")),
     "gpu": (("base",), ("volk.h", "vulkan/")),
     "shaders": ((), ()),
     "fem": (("mesh", "base"), ("Eigen/",)),
