@@ -13,6 +13,7 @@
 #include "mesh/finish_edit.hpp"
 #include "mesh/flat.hpp"
 #include "mesh/io/import.hpp"
+#include "mesh/quality.hpp"
 #include "ops/loader/catalogue.hpp"
 #include "ops/services/host_services.hpp"
 
