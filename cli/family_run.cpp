@@ -50,7 +50,8 @@ private:
 std::string words_of(const client::recipe_step& step) {
   std::string text = client::kind_of(step);
   if (const auto* edit = std::get_if<client::edit_step>(&step))
-    text += ": " + edit->request.operation + " " + list_of(edit->request.surfaces);
+    text += ": " + edit->request.operation + " " +
+            client::words_of(edit->request.surfaces, edit->references);
   if (const auto* import = std::get_if<import_step>(&step))
     text += ": " + import->mesh.filename().string();
   if (const auto* loads = std::get_if<client::load_case_step>(&step))

@@ -215,9 +215,21 @@ void recipe_runner::loads_changed(const char* how, const std::string& name) {
   followed_.reset();
 }
 
+expected<std::vector<std::vector<surface_id>>> recipe_runner::meanings(
+  const std::vector<client::surface_reference>& references) {
+  return client::meanings_of(
+    references, known_, server_.surface(),
+    [&](const selection_query& query) { return server_.select(query, make_execution(session_)); });
+}
+
 expected<void> recipe_runner::step(const client::load_case_step& s) {
-  loads_changed("load_case", s.loads.name);
-  return server_.set_load_case(s.loads);
+  const auto named = meanings(s.references);
+  if (!named)
+    return fail(named.error());
+  auto loads = s.loads;
+  client::put_surfaces(loads, *named);
+  loads_changed("load_case", loads.name);
+  return server_.set_load_case(loads);
 }
 
 expected<void> recipe_runner::step(const client::remove_load_case_step& s) {
@@ -227,15 +239,24 @@ expected<void> recipe_runner::step(const client::remove_load_case_step& s) {
 
 expected<void> recipe_runner::step(const client::edit_step& s) {
   const stopwatch clock;
-  const auto done = server_.edit(s.request.operation, s.request.surfaces, s.request.parameters,
+  const auto before = server_.surface();
+  const auto named = meanings(s.references);
+  if (!named)
+    return fail(named.error());
+  auto surfaces = s.request.surfaces;
+  client::put_surfaces(surfaces, *named);
+  const auto done = server_.edit(s.request.operation, surfaces, s.request.parameters,
                                  make_execution(session_), {}, s.request.loads);
   end_progress(session_);
   if (!done)
     return fail(done.error());
   std::string name = s.request.operation;
-  for (const auto id : s.request.surfaces)
-    name += (id == s.request.surfaces.front() ? " " : ",") + std::to_string(id);
-  return take_head(name, *done, clock.milliseconds());
+  for (const auto id : surfaces)
+    name += (id == surfaces.front() ? " " : ",") + std::to_string(id);
+  auto taken = take_head(name, *done, clock.milliseconds());
+  if (taken)
+    known_.note(s.label, before, server_.surface());
+  return taken;
 }
 
 expected<void> recipe_runner::step(const client::undo_step&) {

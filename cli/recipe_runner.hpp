@@ -92,6 +92,8 @@ private:
   expected<void> write_files(const client::compare_step& s, const client::comparison& made);
   expected<void> step(const client::apply_step& s);
   expected<void> step(const client::window_step& s);
+  [[nodiscard]] expected<std::vector<std::vector<surface_id>>> meanings(
+    const std::vector<client::surface_reference>& references);
   void loads_changed(const char* how, const std::string& name);
   expected<void> take_head(const std::string& what, const client::committed& done, double ms);
   [[nodiscard]] client::solve_settings settings_of(const solve_step& s) const;
@@ -128,6 +130,7 @@ private:
   std::size_t passed_over_ = 0;
   std::vector<step_record> steps_;
   std::size_t performed_ = 0;
+  client::surface_references known_;
   std::string document_;
 };
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "client/surface_reference.hpp"
 #include "edit/report.hpp"
 #include "fem/load_case.hpp"
 #include "mesh/types.hpp"
@@ -30,6 +31,7 @@ struct import_step {
 /// A file that a recipe names is read with the recipe.
 struct load_case_step {
   fem::load_case loads;
+  std::vector<surface_reference> references = {};  ///< Their places are among the surfaces.
 
   friend bool operator==(const load_case_step&, const load_case_step&) = default;
 };
@@ -40,6 +42,8 @@ struct remove_load_case_step {
 };
 struct edit_step {
   edit_request request;
+  std::string label = {};                          ///< For later steps: what it made.
+  std::vector<surface_reference> references = {};  ///< Their places are among the surfaces.
 
   friend bool operator==(const edit_step&, const edit_step&) = default;
 };

@@ -61,8 +61,8 @@ json number_in(std::string text) {
 class filler {
 public:
   filler(const csv_table& table, std::size_t row, std::string name,
-         const operation_catalogue& offered)
-      : table_(table), row_(row), name_(std::move(name)), offered_(offered) {}
+         const operation_catalogue& offered, const std::filesystem::path& folder)
+      : table_(table), row_(row), name_(std::move(name)), offered_(offered), folder_(folder) {}
 
   void fill_recipe(json& body) {
     if (body.is_array())
@@ -93,13 +93,44 @@ private:
       return fill(body, kind == "go_to" ? place::number : place::text, kind);
     if (body.contains("operation"))
       fill(body["operation"], place::text, "operation");
+    if (kind == "load_case" && body.contains("file"))
+      take_in(body);
     for (const auto& [key, value] : body.items())
       if (kind == "load_case")
         fill_loads(value, key);
       else if (kind == "edit" && key == "parameters" && value.is_object())
         fill_parameters(body["operation"], value);
+      else if (kind == "edit" && key == "surfaces" && value.is_array())
+        fill_surfaces(value);
       else if (key != "operation")
         fill(value, place_of(kind, key), key);
+  }
+
+  /// A load case's file that has places itself stands in the step from then on.
+  void take_in(json& body) {
+    fill(body["file"], place::text, "file");
+    if (!body["file"].is_string())
+      return;
+    const auto text = text_of_file(folder_ / body["file"].get<std::string>(), 64UL << 20);
+    if (!text || text->find("{{") == std::string::npos)
+      return;  // What is wrong with it is told by who reads it.
+    auto inside = json::parse(*text, nullptr, false);
+    if (inside.is_object())
+      body = std::move(inside);
+  }
+
+  void fill_surfaces(json& list) {
+    for (auto& item : list)
+      if (!item.is_object())
+        fill(item, place::number, "surfaces");
+      else
+        for (const auto& [key, value] : item.items())
+          fill(value, is_word(key) ? place::text : place::number, key);
+  }
+
+  /// Of a reference to surfaces, and of a load case.
+  static bool is_word(const std::string& key) {
+    return is_one_of(key, {"name", "file", "warning", "made_by", "as"});
   }
 
   static place place_of(const std::string& kind, const std::string& key) {
@@ -122,7 +153,7 @@ private:
         fill_loads(part, key);
       return;
     }
-    fill(value, is_one_of(key, {"name", "file", "warning"}) ? place::text : place::number, key);
+    fill(value, is_word(key) ? place::text : place::number, key);
   }
 
   void fill_parameters(const json& operation, json& parameters) {
@@ -211,6 +242,7 @@ private:
   std::size_t row_;
   std::string name_;
   const operation_catalogue& offered_;
+  const std::filesystem::path& folder_;
   std::string step_ = "the recipe";
 };
 
@@ -257,7 +289,7 @@ std::string recipe_family::name_of(std::size_t row) const {
 expected<recipe> recipe_family::recipe_of(std::size_t row) const {
   try {
     auto body = parts_->body;
-    filler(table_, row, name_of(row), parts_->offered).fill_recipe(body);
+    filler(table_, row, name_of(row), parts_->offered, folder_).fill_recipe(body);
     try {
       return recipe_from(body, folder_);
     } catch (error& e) {

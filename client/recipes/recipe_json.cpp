@@ -5,6 +5,7 @@
 #include "base/attachment.hpp"
 #include "client/recipe.hpp"
 #include "client/recipes/recipe_reading.hpp"
+#include "client/recipes/reference_json.hpp"
 #include "client/recipes/values.hpp"
 #include "client/recipes/window_rules.hpp"
 #include "mesh/formats.hpp"
@@ -26,7 +27,7 @@ void fields_of(Io& io, import_step& s) {
 
 template <class Io>
 void fields_of(Io& io, load_case_step& s) {
-  io.whole(s.loads);
+  io.whole(s.loads, s.references);
 }
 
 template <class Io>
@@ -44,8 +45,9 @@ void changes_of(Io& io, edit_request& request) {
 template <class Io>
 void fields_of(Io& io, edit_step& s) {
   io.needed("operation", s.request.operation);
-  io.other("surfaces", s.request.surfaces);
+  io.surfaces("surfaces", s.request.surfaces, s.references);
   changes_of(io, s.request);
+  io.other("label", s.label);
 }
 
 template <class Io>
@@ -143,12 +145,27 @@ public:
     into.load_cases = found->get<std::vector<std::string>>();
   }
 
+  void surfaces(const char* field, std::vector<surface_id>& into,
+                std::vector<surface_reference>& references) {
+    known_.insert(field);
+    const auto found = body_.find(field);
+    if (found == body_.end())
+      return;
+    const auto what = where_ + ": \"" + field + "\"";
+    auto list = list_from(*found, 0, most_ids, what);
+    take_references(list, references, what);
+    read(list, into, what, {});
+  }
+
   /// A load case from another file, or the whole object.
-  void whole(fem::load_case& into) {
+  void whole(fem::load_case& into, std::vector<surface_reference>& references) {
     std::filesystem::path file;
     other("file", file);
-    const auto read = file.empty() ? protocol::load_case_from_json(body_.dump(), where_)
-                                   : protocol::load_case_from_file(file);
+    auto body = file.empty() ? std::optional(body_) : file_with_references(file);
+    if (body)
+      take_all_references(*body, references, where_);
+    const auto read = body ? protocol::load_case_from_json(body->dump(), where_)
+                           : protocol::load_case_from_file(file);
     if (!read)
       refuse(where_ + ": " + read.error().message + (file.empty() ? "" : " in " + file.string()),
              read.error().remedy);
@@ -347,15 +364,8 @@ recipe recipe_from(const json& body, const std::filesystem::path& folder) {
   for (const auto& step : list_from(*steps, 0, most_steps, "\"steps\""))
     result.steps.push_back(
       read_step(step, "step " + std::to_string(result.steps.size() + 1), folder));
+  check_labels(result.steps);
   return result;
-}
-
-expected<std::string> recipe_text(const std::filesystem::path& file) {
-  auto text = text_of_file(file, 64UL << 20);
-  if (!text)
-    return fail(ec::io_error, "cannot read the recipe " + file.string(),
-                "Check the path and its permissions; it may have 64 MiB", file.string());
-  return text;
 }
 
 namespace {
@@ -386,8 +396,15 @@ public:
     else
       other(field, s.load_cases);
   }
-  void whole(const fem::load_case& loads) {
+  void surfaces(const char* field, const std::vector<surface_id>& ids,
+                const std::vector<surface_reference>& references) {
+    other(field, ids);
+    if (!ids.empty())
+      put_references(body[field], references);
+  }
+  void whole(const fem::load_case& loads, const std::vector<surface_reference>& references) {
     body = nlohmann::ordered_json::parse(protocol::load_case_to_json(loads));
+    put_all_references(body, references);
   }
 
 private:
@@ -458,22 +475,6 @@ expected<recipe> recipe_from_json(std::string_view text, const std::filesystem::
   } catch (const error& e) {
     return fail(e.code, e.message, e.remedy.empty() ? "See docs/recipes.md" : e.remedy);
   }
-}
-
-expected<recipe> read_recipe(const std::filesystem::path& file) {
-  const auto text = recipe_text(file);
-  if (!text)
-    return fail(text.error());
-  auto result = recipe_from_json(*text, file.parent_path());
-  if (!result)
-    result.error().where = file.string();
-  return result;
-}
-
-bool is_recipe(const std::filesystem::path& file) {
-  const auto text = recipe_text(file);
-  const auto body = text ? json::parse(*text, nullptr, false) : json();
-  return body.is_array() || (body.is_object() && body.contains("steps"));
 }
 
 }  // namespace tedit::client

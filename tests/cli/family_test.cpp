@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
+#include <algorithm>
+#include <sstream>
+
 #include "tests/cli/program.hpp"
 
 namespace tedit::test {
@@ -161,6 +164,71 @@ TEST(Family, ARecipeIsReplayedOnAnotherSizeOfThePart) {
     // bores have fewer edges.
     EXPECT_NEAR(row["volume_m3"], 97.684e-6, 0.06e-6) << row["name"];
   }
+}
+
+/// The plate with other numbers: each surface's is 1000 larger.
+void write_renumbered_plate(const std::string& file) {
+  ASSERT_EQ(run("convert " + plate + " -o " + scratch("plate.msh2").string()).status, 0);
+  std::ifstream in(scratch("plate.msh2"));
+  std::ofstream out(file);
+  for (std::string line; std::getline(in, line);) {
+    std::istringstream words(line);
+    int number = 0, type = 0, tags = 0, physical = 0, entity = 0;
+    std::string rest;
+    // "number 2 2 physical entity a b c" is a triangle.
+    if (words >> number >> type >> tags >> physical >> entity && type == 2 && tags == 2 &&
+        std::getline(words, rest) && std::ranges::count(rest, ' ') == 3)
+      out << number << " 2 2 " << physical << ' ' << entity + 1000 << rest << '\n';
+    else
+      out << line << '\n';
+  }
+}
+
+/// By points, by the feature that they are of and by what an edit made.
+TEST(Family, ARecipeWithoutNumbersOfSurfacesIsReplayedOnAPartWithOtherNumbers) {
+  write_renumbered_plate(scratch("other.msh").string());
+  const json top{{"at_mm", {-235, -49, 0}}};
+  const json hole{{"at_mm", {-147.5, 45, -25}}, {"as", "hole"}};
+  const json loads{{"name", "press"},
+                   {"materials", {{{"young_modulus_pa", 70e9}, {"poisson_ratio", 0.3}}}},
+                   {"constraints", {{{"surfaces", {hole}}, {"fixed", json::object()}}}},
+                   {"loads",
+                    {{{"surfaces", {{{"made_by", "pin"}, {"at_mm", {-235, -49, 20}}}}},
+                      {"force", {{"total_n", {{"z", -1000}}}}}}}}};
+  const json pin{
+    {"profile", "circle"}, {"size_mm", 30}, {"height_mm", 20}, {"at_mm", "-235,-49,0"}};
+  json recipe{
+    {"device", "cpu"},
+    {"order", 1},
+    {"steps",
+     {{{"import", {{"mesh", "{{mesh}}"}}}},
+      {{"edit",
+        {{"operation", "boss"}, {"surfaces", {top}}, {"parameters", pin}, {"label", "pin"}}}},
+      {{"load_case", loads}},
+      {{"edit",
+        {{"operation", "fill_hole"},
+         {"surfaces", {{{"at_mm", {147.5, 45, -25}}, {"as", "hole"}}}}}}},
+      {{"solve", json::object()}}}}};
+  const auto table = "mesh\n" + plate + "\n" + scratch("other.msh").string() + "\n";
+
+  const auto result = run_table(recipe, table, fresh_folder("out"));
+
+  ASSERT_EQ(result.status, 0) << result.out;
+  const auto rows = result.parsed()["rows"];
+  ASSERT_EQ(rows.size(), 2U);
+  for (const auto& row : rows)
+    for (const auto& step : row["steps"])
+      EXPECT_EQ(step["status"], "passed") << row["name"] << step;
+  EXPECT_NEAR(rows[0]["volume_m3"].get<double>() / rows[1]["volume_m3"].get<double>(), 1, 1e-12);
+  // Tets between the pin and the part are others where the file's order is another.
+  EXPECT_NEAR(
+    rows[0]["max_displacement_m"].get<double>() / rows[1]["max_displacement_m"].get<double>(), 1,
+    0.01);
+
+  recipe["steps"][3]["edit"]["surfaces"] = {92, 93};
+  const auto by_numbers = run_table(recipe, table, fresh_folder("out"));
+  EXPECT_EQ(by_numbers.parsed()["passed"], 1);
+  EXPECT_EQ(by_numbers.parsed()["rows"][1]["code"], "surface_not_found");
 }
 
 TEST(Family, OptionsOfATableNeedOne) {

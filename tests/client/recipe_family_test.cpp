@@ -126,5 +126,44 @@ TEST(RecipeFamily, ACellIsNoRecipe) {
   EXPECT_EQ(std::get<remove_load_case_step>(made->recipe_of(0)->steps[0]).name, "{{b}}\"}");
 }
 
+TEST(RecipeFamily, CellsSayWhichSurfacesAreMeant) {
+  const auto made = family(
+    R"([{"edit": {"operation": "stamp", "label": "{{no}}", "surfaces": [
+          {"name": "{{wall}}"}, {"at_mm": ["{{x}}", 0, 2], "within_mm": "{{x}}"}]}}])",
+    "no,wall,x\n007,12,1.5\n");
+  ASSERT_TRUE(made) << render(made.error());
+  const auto first = made->recipe_of(0);
+  ASSERT_TRUE(first) << render(first.error());
+  const auto& step = std::get<edit_step>(first->steps[0]);
+  EXPECT_EQ(step.label, "007");
+  EXPECT_THAT(step.references, ::testing::ElementsAre(
+                                 surface_reference{.name = "12"},
+                                 surface_reference{.at_mm = vec3{1.5, 0, 2}, .within_mm = 1.5}));
+}
+
+TEST(RecipeFamily, ALoadCaseInAFileOfItsOwnHasPlacesToo) {
+  const test::scratch_folder folder;
+  std::ofstream(folder.path() / "recipe.json") << R"([{"load_case": {"file": "{{kind}}.json"}}])";
+  std::ofstream(folder.path() / "pull.json") << R"({"name": "pull {{n}}",
+    "materials": [{"young_modulus_pa": 2e11, "poisson_ratio": 0.3}],
+    "constraints": [{"surfaces": [1], "fixed": {}}],
+    "loads": [{"surfaces": [2], "force": {"total_n": {"z": "{{n}}"}}}]})";
+  std::ofstream(folder.path() / "table.csv") << "kind,n\npull,-250\npull,much\npush,1\n";
+  const auto made =
+    recipe_family::read(folder.path() / "recipe.json", folder.path() / "table.csv", offered());
+  ASSERT_TRUE(made) << render(made.error());
+  const auto first = made->recipe_of(0);
+  ASSERT_TRUE(first) << render(first.error());
+  const auto& loads = std::get<load_case_step>(first->steps[0]).loads;
+  EXPECT_EQ(loads.name, "pull -250");
+  EXPECT_EQ(std::get<fem::force>(loads.loads.at(0).kind).total_n.z, -250);
+  const auto second = made->recipe_of(1);
+  ASSERT_FALSE(second);
+  EXPECT_THAT(second.error().message, HasSubstr("column \"n\": \"much\" is no number"));
+  const auto third = made->recipe_of(2);
+  ASSERT_FALSE(third);
+  EXPECT_THAT(third.error().message, HasSubstr("push.json"));
+}
+
 }  // namespace
 }  // namespace tedit::client

@@ -134,6 +134,21 @@ TEST_F(WindowSteps, AreCarriedOutAmongThoseThatWorkOnThePart) {
   EXPECT_EQ(QImage(QString::fromStdString(picture)).size(), QSize(400, 300));
 }
 
+TEST_F(WindowSteps, SurfacesAreFoundByWhatTheyAre) {
+  EXPECT_EQ(play(R"({"import": {"mesh": ")" + plate().toStdString() + R"("}},
+    {"edit": {"operation": "boss", "surfaces": [{"at_mm": [-235, -49, 0]}], "label": "pin",
+              "parameters": {"profile": "circle", "size_mm": 30, "height_mm": 20,
+                             "at_mm": "-235,-49,0"}}},
+    {"edit": {"operation": "fill_hole", "surfaces": [{"at_mm": [147.5, 45, -25], "as": "hole"}]}},
+    {"edit": {"operation": "erode", "parameters": {"depth_mm": 1},
+              "surfaces": [{"made_by": "pin", "at_mm": [-235, -49, 20]}]}},
+    {"wait": "ready"})"),
+            "");
+  EXPECT_EQ(version(), 3U);
+  const auto end = play(R"({"edit": {"operation": "fill_hole", "surfaces": [{"name": "pin"}]}})");
+  EXPECT_NE(end.find("step 1 (edit): no surface is called"), std::string::npos) << end;
+}
+
 TEST_F(WindowSteps, WhatThePartOrTheWindowHasNotIsSaidWithItsStep) {
   open_plate();
   const std::pair<const char*, const char*> cases[] = {

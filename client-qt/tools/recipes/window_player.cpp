@@ -3,6 +3,7 @@
 
 #include <QJsonDocument>
 #include <QMainWindow>
+#include <QPointer>
 
 #include <algorithm>
 
@@ -129,7 +130,7 @@ expected<bool> window_player::is_ready_for(const client::recipe_step* next) {
 
 bool window_player::is_part_ready() const {
   const auto& part = in_.part;
-  if (imports_ || part.foreground().current() || part.loads().is_changing() ||
+  if (imports_ || looks_up_ || part.foreground().current() || part.loads().is_changing() ||
       part.edits().awaits_answer() || tools_.summary.writes_report())
     return false;
   if (!part.is_open())
@@ -163,6 +164,7 @@ bool window_player::is_final() const {
 
 expected<void> window_player::perform(const client::recipe_step& step) {
   wants_field_ = false;
+  note_last_edit();
   if (!in_.part.head() && !client::is_of_window(step) &&
       !std::holds_alternative<client::import_step>(step))
     return fail(ec::conflict, "no part is open, and the recipe has opened none",
@@ -179,9 +181,43 @@ expected<void> window_player::carry_out(const client::import_step& s) {
   return {};
 }
 
-expected<void> window_player::carry_out(const client::load_case_step& s) {
-  in_.part.loads().set(s.loads);
+/// Its surface is here: a step waits for that.
+void window_player::note_last_edit() {
+  if (!label_.empty() && in_.part.head())
+    known_.note(label_, *before_label_, *in_.part.head()->surface);
+  label_.clear();
+}
+
+expected<void> window_player::with_meanings(
+  const std::vector<client::surface_reference>& references,
+  const std::function<expected<void>(const meanings&)>& go_on) {
+  if (references.empty())
+    return go_on({});
+  looks_up_ = true;
+  in_.link.run<meanings>(
+    [references, known = known_, surface = in_.part.head()->surface](client::client& c,
+                                                                     const execution& run) {
+      return client::meanings_of(references, known, *surface, [&](const selection_query& query) {
+        return c.select(query, run);
+      });
+    },
+    [this, alive = QPointer(this), go_on](const expected<meanings>& found) {
+      if (!alive || !is_running())
+        return;
+      looks_up_ = false;
+      const auto done = found ? go_on(*found) : expected<void>(fail(found.error()));
+      if (!done)
+        refuse(player_.stop(done.error()));
+    });
   return {};
+}
+
+expected<void> window_player::carry_out(const client::load_case_step& s) {
+  return with_meanings(s.references, [this, loads = s.loads](const meanings& found) mutable {
+    client::put_surfaces(loads, found);
+    in_.part.loads().set(loads);
+    return expected<void>();
+  });
 }
 
 expected<void> window_player::carry_out(const client::remove_load_case_step& s) {
@@ -190,7 +226,16 @@ expected<void> window_player::carry_out(const client::remove_load_case_step& s) 
 }
 
 expected<void> window_player::carry_out(const client::edit_step& s) {
-  const auto& wanted = s.request;
+  return with_meanings(s.references,
+                       [this, wanted = s.request, label = s.label](const meanings& found) mutable {
+                         client::put_surfaces(wanted.surfaces, found);
+                         label_ = label;
+                         before_label_ = in_.part.head()->surface;
+                         return apply(wanted);
+                       });
+}
+
+expected<void> window_player::apply(const edit_request& wanted) {
   if (const auto known = find_operation(in_.part, wanted.operation); !known)
     return fail(known.error());
   for (const auto id : wanted.surfaces)

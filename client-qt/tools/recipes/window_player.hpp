@@ -4,6 +4,9 @@
 #include <QObject>
 #include <QTimer>
 
+#include <functional>
+
+#include "client-qt/model/version_store.hpp"
 #include "client-qt/tools/recipes/handle_moves.hpp"
 #include "client/recipe_player.hpp"
 
@@ -56,6 +59,12 @@ private:
   [[nodiscard]] bool is_view_ready() const;
   [[nodiscard]] bool is_final() const;
   expected<void> perform(const client::recipe_step& step) override;
+  using meanings = std::vector<std::vector<surface_id>>;
+  /// Goes on once it is known what a step's references mean; at once where there are none.
+  expected<void> with_meanings(const std::vector<client::surface_reference>& references,
+                               const std::function<expected<void>(const meanings&)>& go_on);
+  void note_last_edit();
+  expected<void> apply(const edit_request& wanted);
   expected<void> carry_out(const client::import_step& s);
   expected<void> carry_out(const client::load_case_step& s);
   expected<void> carry_out(const client::remove_load_case_step& s);
@@ -79,6 +88,10 @@ private:
   bool imports_ = false;
   bool wants_field_ = false;  ///< The step before was a solve.
   int left_out_ = 0;
+  bool looks_up_ = false;  ///< The server is asked what references mean.
+  client::surface_references known_;
+  std::string label_;            ///< Of the last edit, which is not noted yet.
+  shared_surface before_label_;  ///< The surface that it was made of.
   int drags_left_ = 0;
   std::optional<handle_moves> handle_moves_;
   QTimer poll_;
