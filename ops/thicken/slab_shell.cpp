@@ -8,6 +8,7 @@
 #include <unordered_set>
 
 #include "mesh/level_set.hpp"
+#include "mesh/level_set_freedom.hpp"
 #include "mesh/predicates.hpp"
 
 namespace tedit::ops {
@@ -31,12 +32,7 @@ std::uint64_t edge_key(vertex_id a, vertex_id b) {
 class patch_surroundings {
 public:
   patch_surroundings(const mesh_builder& mesh, const surface_patch& patch, double height)
-      : mesh_(mesh), patch_(patch), height_(height), zero_(1e-7 * patch.mean_edge) {
-    for (facet_id f = 0; f < mesh.facet_slots(); ++f)
-      if (mesh.is_live_facet(f))
-        for (int i = 0; i < 3; ++i)
-          left_[edge_key(mesh.facet(f).v[i], mesh.facet(f).v[(i + 1) % 3])] = f;
-  }
+      : mesh_(mesh), patch_(patch), height_(height), zero_(1e-7 * patch.mean_edge) {}
 
   /// Height above the patch less the slab's: below zero inside the slab.
   [[nodiscard]] double above_top(vertex_id v) const {
@@ -44,9 +40,11 @@ public:
     return std::abs(f) <= zero_ ? 0 : f;
   }
 
+  /// The facet whose edge goes from a to b.
   [[nodiscard]] facet_id left_of(vertex_id a, vertex_id b) const {
-    const auto found = left_.find(edge_key(a, b));
-    return found == left_.end() ? no_id : found->second;
+    const auto found = left_among(facets_at(mesh_, a, mesh_.star(a)), a, b);
+    // A star is one fan; where two touch in a vertex the other end may know.
+    return found == no_id ? left_among(facets_at(mesh_, b, mesh_.star(b)), a, b) : found;
   }
 
   /// The facets of rising neighbours that reach into the slab, without crossing a convex edge:
@@ -88,6 +86,16 @@ public:
   [[nodiscard]] double zero() const { return zero_; }
 
 private:
+  [[nodiscard]] facet_id left_among(const std::vector<facet_id>& facets, vertex_id a,
+                                    vertex_id b) const {
+    facet_id result = no_id;
+    for (const auto f : facets)
+      for (int i = 0; i < 3; ++i)
+        if (mesh_.facet(f).v[i] == a && mesh_.facet(f).v[(i + 1) % 3] == b)
+          result = result == no_id ? f : std::max(result, f);
+    return result;
+  }
+
   [[nodiscard]] vec3 normal(facet_id f) const {
     const auto& v = mesh_.facet(f).v;
     return normalized(
@@ -112,7 +120,6 @@ private:
   const surface_patch& patch_;
   double height_;
   double zero_;
-  std::unordered_map<std::uint64_t, facet_id> left_;
 };
 
 class shell_builder {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "mesh/box.hpp"
+#include "mesh/box_tree.hpp"
 #include "mesh/predicates.hpp"
 #include "mesh/quality.hpp"
 
@@ -59,6 +59,24 @@ std::vector<swept_facet> facets_in(const mesh_builder& mesh,
   return result;
 }
 
+std::vector<box> extents_of(const std::vector<swept_facet>& facets) {
+  std::vector<box> result;
+  result.reserve(facets.size());
+  for (const auto& f : facets)
+    result.push_back(f.extent);
+  return result;
+}
+
+/// Does a facet that moves meet another one that has no corner of it?
+bool meet(const mesh_builder& mesh, const swept_facet& f, const swept_facet& g) {
+  const auto& mine = mesh.facet(f.facet).v;
+  if (std::ranges::any_of(mesh.facet(g.facet).v,
+                          [&](vertex_id v) { return std::ranges::count(mine, v) > 0; }))
+    return false;
+  return triangles_intersect(f.after, g.after) ||
+         std::ranges::any_of(g.before, [&](vec3 p) { return sweeps(f, p); });
+}
+
 }  // namespace
 
 std::optional<boundary_meeting> first_meeting(const mesh_builder& mesh,
@@ -73,17 +91,21 @@ std::optional<boundary_meeting> first_meeting(const mesh_builder& mesh,
     reach.add(f.extent.high);
   }
   const auto others = facets_in(mesh, places, false, reach);
-  for (const auto& f : moving)
-    for (const auto& g : others) {
-      if (!f.extent.meets(g.extent) || std::ranges::any_of(mesh.facet(g.facet).v, [&](vertex_id v) {
-            return std::ranges::count(mesh.facet(f.facet).v, v) > 0;
-          }))
-        continue;
-      if (triangles_intersect(f.after, g.after) ||
-          std::ranges::any_of(g.before, [&](vec3 p) { return sweeps(f, p); }))
-        return boundary_meeting{mesh.facet(g.facet).surface,
-                                (g.after[0] + g.after[1] + g.after[2]) / 3};
-    }
+  const box_tree tree(extents_of(others));
+  std::vector<std::size_t> near;
+  for (const auto& f : moving) {
+    near.clear();
+    (void)tree.any_meeting(f.extent, [&](std::size_t i) {
+      near.push_back(i);
+      return false;
+    });
+    std::ranges::sort(near);  // The first one is told.
+    for (const auto i : near)
+      if (meet(mesh, f, others[i])) {
+        const auto& [p, q, r] = others[i].after;
+        return boundary_meeting{mesh.facet(others[i].facet).surface, (p + q + r) / 3};
+      }
+  }
   return std::nullopt;
 }
 
