@@ -7,6 +7,7 @@
 #include <iterator>
 #include <optional>
 
+#include "base/short_number.hpp"
 #include "base/stopwatch.hpp"
 #include "cad/file_kind.hpp"
 #include "cad/mesh_file.hpp"
@@ -94,9 +95,41 @@ error about_mesher(const program_end& end, const part_facts& facts, const fs::pa
   return why;
 }
 
+bool is_meant(const std::string& surface, const face_facts& face, std::size_t place) {
+  if (face.ids.empty()
+        ? surface == std::to_string(place + 1)
+        : std::ranges::any_of(face.ids, [&](int id) { return surface == std::to_string(id); }))
+    return true;
+  return !face.name.empty() && surface == face.name;
+}
+
+/// As the mesher takes them, by the places of faces: "3=0.5,4=0.5". Errors: `surface_not_found`.
+expected<std::string> sizes_by_place(const std::vector<local_size>& wanted,
+                                     const part_facts& facts) {
+  std::string result;
+  for (const auto& one : wanted) {
+    bool found = false;
+    for (std::size_t i = 0; i < facts.faces.size(); ++i)
+      if (is_meant(one.surface, facts.faces[i], i)) {
+        found = true;
+        result +=
+          (result.empty() ? "" : ",") + std::to_string(i + 1) + "=" + short_number(one.mm, 17);
+      }
+    if (!found)
+      return fail(ec::surface_not_found,
+                  "the part has no surface \"" + one.surface + "\" to give a size of its own",
+                  "Its surfaces are 1 to " + std::to_string(facts.faces.size()) +
+                    "; \"tedit import PART --json\" lists them with their names");
+  }
+  return result;
+}
+
 expected<void> mesh_part(const import_request& request, const fs::path& folder, imported_part& part,
                          const execution& run) {
-  const auto end = run_program("tedit-cad-mesher", "the mesher", folder, {request.size},
+  const auto local = sizes_by_place(request.local_sizes, part.model.facts);
+  if (!local)
+    return fail(local.error());
+  const auto end = run_program("tedit-cad-mesher", "the mesher", folder, {request.size, *local},
                                request.limits, run.part(0, 0.9));
   if (!end.done)
     return fail(about_mesher(end, part.model.facts, folder));

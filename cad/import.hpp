@@ -11,10 +11,17 @@
 
 namespace tedit::cad {
 
+/// Shorter edges on some of a CAD part's surfaces.
+struct local_size {
+  std::string surface;  ///< A number, or a name that one face or several have.
+  double mm = 0;        ///< The longest edge there.
+};
+
 struct import_request {
   std::filesystem::path file;
   std::string size = "medium";  ///< "coarse", "medium", "fine": docs/cad.md, *Sizes*.
-  program_limits limits;        ///< Of each of the two programs.
+  std::vector<local_size> local_sizes = {};
+  program_limits limits;  ///< Of each of the two programs.
 };
 
 /// A part that came from CAD. Surface ids are the CAD faces' places, from 1, or those that a file

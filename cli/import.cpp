@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -7,6 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "base/number_range.hpp"
 #include "base/stopwatch.hpp"
 #include "cad/file_kind.hpp"
 #include "cad/import.hpp"
@@ -26,6 +28,7 @@ namespace {
 struct import_options {
   cad::import_request request;
   std::string unit;
+  std::vector<std::string> local_sizes;
   std::string output;
   unsigned time_limit_s = 120;
   unsigned memory_mb = 4096;
@@ -182,6 +185,11 @@ expected<import_result> import_any(const import_options& options, const executio
       return import_result{std::move(part), std::nullopt, std::nullopt};
     });
   }
+  if (!options.request.local_sizes.empty())
+    return fail(ec::invalid_argument,
+                "--local-size is for CAD files: the surfaces of this file are found while it is "
+                "meshed",
+                "Mesh it without, and make it finer afterwards: \"tedit edit PART --op refine\"");
   const std::string unit = options.unit.empty()     ? "mm"
                            : options.unit == "inch" ? "in"
                                                     : options.unit;
@@ -192,8 +200,32 @@ expected<import_result> import_any(const import_options& options, const executio
     });
 }
 
+/// "12=0.5", "Bore=0.5".
+expected<std::vector<cad::local_size>> local_sizes_of(const std::vector<std::string>& texts) {
+  std::vector<cad::local_size> result;
+  for (const auto& text : texts) {
+    const auto at = text.rfind('=');
+    const auto* end = text.data() + text.size();
+    double mm = 0;
+    const auto read = at == std::string::npos
+                        ? std::from_chars_result{end, std::errc::invalid_argument}
+                        : std::from_chars(text.data() + at + 1, end, mm);
+    if (read.ec != std::errc() || read.ptr != end || at == 0)
+      return fail(ec::usage, "--local-size " + text + " is no surface with a length",
+                  "Write the surface's number or name, = and the longest edge in mm: 12=0.5");
+    if (auto ok = check_number(mm, {1e-3, 1e6, "mm"}, "--local-size " + text, ec::usage); !ok)
+      return fail(ok.error());
+    result.push_back({text.substr(0, at), mm});
+  }
+  return result;
+}
+
 int run_import(import_options options, session& s) {
   const stopwatch total;
+  auto local = local_sizes_of(options.local_sizes);
+  if (!local)
+    return print_error(s, local.error());
+  options.request.local_sizes = std::move(*local);
   const bool as_document = is_document(options.output);
   const auto format = output_format(options.output);
   if (!options.output.empty() && !as_document && !format)
@@ -256,6 +288,9 @@ void add_import(CLI::App& app, action& chosen) {
                  "(two, 8) or fine (three, 12)")
     ->check(CLI::IsMember({"coarse", "medium", "fine"}))
     ->capture_default_str();
+  command->add_option("--local-size", options->local_sizes,
+                      "SURFACE=MM, again and again: the longest edge on a surface of a CAD file, "
+                      "by its number or name; edges grow from there");
   command->add_option("-o,--output", options->output,
                       "Write the mesh, in mm: " + written_formats_text() +
                         "; or a document (.tedit) with the mesh and the CAD model");

@@ -89,10 +89,33 @@ void gmsh_part::set_sizes(const fineness& size) {
     gmsh::model::mesh::setSize({{0, point}}, h);
   const auto set = [](const char* option, double value) { gmsh::option::setNumber(option, value); };
   set("Mesh.MeshSizeMax", size_mm_);
-  set("Mesh.MeshSizeMin", least_share * size.wall_share * wall_mm_);
+  least_mm_ = least_share * size.wall_share * wall_mm_;
+  set("Mesh.MeshSizeMin", least_mm_);
   set("Mesh.MeshSizeFromCurvature", size.on_circle);
   set("Mesh.MeshSizeExtendFromBoundary", 1);
   set("Mesh.Algorithm", frontal_2d);
+}
+
+/// Gmsh takes the least of all sizes that are given at a place.
+void gmsh_part::set_local_sizes(const std::map<int, double>& local) {
+  std::map<int, double> of_curves;
+  for (const auto& [face, mm] : local) {
+    least_local_mm_ = std::min(least_local_mm_, mm);
+    gmsh::vectorpair curves;
+    gmsh::model::getBoundary({{2, face}}, curves, false, false);
+    for (const auto& [dimension, curve] : curves)
+      if (const auto [row, fresh] = of_curves.emplace(std::abs(curve), mm); !fresh)
+        row->second = std::min(row->second, mm);
+  }
+  if (local.empty())
+    return;
+  gmsh::option::setNumber("Mesh.MeshSizeMin", std::min(least_mm_, least_local_mm_));
+  gmsh::model::mesh::setSizeCallback(
+    [of_curves, local, most = size_mm_](int dimension, int tag, double, double, double) {
+      const auto& sizes = dimension == 1 ? of_curves : local;
+      const auto found = dimension == 1 || dimension == 2 ? sizes.find(tag) : sizes.end();
+      return found == sizes.end() ? most : found->second;
+    });
 }
 
 std::string gmsh_part::surface_words(int tag) const {
@@ -100,8 +123,9 @@ std::string gmsh_part::surface_words(int tag) const {
   return "surface " + std::to_string(tag) + (name.empty() ? "" : " (" + name + ")");
 }
 
-surface_mesh gmsh_part::mesh_faces(const fineness& size) {
+surface_mesh gmsh_part::mesh_faces(const fineness& size, const std::map<int, double>& local) {
   set_sizes(size);
+  set_local_sizes(local);
   tells_.stage(0.15, "meshing the curves");
   gmsh::model::mesh::generate(1);
   tells_.stage(0.2, "meshing the surfaces");

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <string>
 #include <vector>
@@ -20,19 +22,23 @@ public:
   gmsh_part(const program_call& call, const part_facts& facts, const teller& tells);
 
   /// Meshes curves and faces. Refuses where Gmsh cannot, naming the surface where it is known.
-  [[nodiscard]] surface_mesh mesh_faces(const fineness& size);
+  /// `local`: the longest edges of some faces, mm, and of the curves around them; towards their
+  /// neighbours edges grow.
+  [[nodiscard]] surface_mesh mesh_faces(const fineness& size, const std::map<int, double>& local);
 
   /// Fills the solids within `faces` with tets and writes all; whether it could.
   [[nodiscard]] bool fill(const surface_mesh& faces);
 
   /// The largest edge length that was asked for, in mm.
   [[nodiscard]] double size() const { return size_mm_; }
-  /// The least mean wall thickness of a solid, 2 V / A in mm.
-  [[nodiscard]] double thinnest_wall() const { return wall_mm_; }
+  /// What is short is so in terms of this: the least mean wall thickness of a solid, 2 V / A in mm,
+  /// or twice the least local size.
+  [[nodiscard]] double least_length() const { return std::min(wall_mm_, 2 * least_local_mm_); }
 
 private:
   void check() const;
   void set_sizes(const fineness& size);
+  void set_local_sizes(const std::map<int, double>& local);
   [[nodiscard]] std::string surface_words(int tag) const;
 
   const program_call& call_;
@@ -41,6 +47,8 @@ private:
   std::map<int, std::vector<int>> faces_of_;  ///< Of each solid.
   double size_mm_ = 0;
   double wall_mm_ = 0;
+  double least_mm_ = 0;  ///< Of all edges that are asked for.
+  double least_local_mm_ = HUGE_VAL;
 };
 
 }  // namespace tedit::cad

@@ -3,9 +3,13 @@
 // expects that.
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <locale>
+#include <map>
 #include <new>
+#include <sstream>
 
 #include "cad/mesher/gmsh_part.hpp"
 
@@ -14,15 +18,30 @@ namespace {
 using namespace tedit;
 using namespace tedit::cad;
 
-void mesh(const program_call& call, const std::string& size, const teller& tells) {
+/// "3=0.5,4=0.5": the longest edges of surfaces, mm. Written by who starts this program.
+std::map<int, double> local_sizes_of(const std::string& text) {
+  std::map<int, double> result;
+  std::istringstream in(text);
+  in.imbue(std::locale::classic());
+  int surface = 0;
+  double mm = 0;
+  for (char equals = 0, comma = 0; in >> surface >> equals >> mm; in >> comma)
+    if (const auto [row, fresh] = result.emplace(surface, mm); !fresh)
+      row->second = std::min(row->second, mm);
+  return result;
+}
+
+void mesh(const program_call& call, const std::string& size, const std::string& local,
+          const teller& tells) {
   tells.stage(0.02, "loading the shape into Gmsh");
   const auto facts = load_facts(call.folder);
   if (!facts)
     tells.refuse(facts.error());
   gmsh_part part(call, *facts, tells);
-  const auto as_made = part.mesh_faces(fineness_of(size));  // Which finds the sizes.
+  const auto as_made =
+    part.mesh_faces(fineness_of(size), local_sizes_of(local));  // Which finds the sizes.
   const auto report = fill_mended(
-    as_made, part.size(), part.thinnest_wall(), static_cast<int>(facts->faces.size()),
+    as_made, part.size(), part.least_length(), static_cast<int>(facts->faces.size()),
     [&](const surface_mesh& faces) { return part.fill(faces); }, tells);
   if (!save_report(report, call.folder))
     tells.refuse({ec::io_error,
@@ -34,14 +53,14 @@ void mesh(const program_call& call, const std::string& size, const teller& tells
 }  // namespace
 
 int main(int argc, char** argv) {
-  const auto call = parse_call(argc, argv, 5);
+  const auto call = parse_call(argc, argv, 6);
   if (!call)
     return 2;
   lie_still(argv);
   const teller tells(*call);
   confine(*call, {}, tells);
   try {
-    mesh(*call, argv[4], tells);
+    mesh(*call, argv[4], argv[5], tells);
   } catch (const std::bad_alloc&) {
     tells.refuse({ec::out_of_memory,
                   "the mesher needs more memory than it may take",

@@ -75,6 +75,45 @@ TEST(ImportedBox, IsFinerWhereThatIsAskedFor) {
   EXPECT_GT(fine["tets"].get<int>(), 2 * medium["tets"].get<int>());
 }
 
+/// Facets of a surface and their mean edge, as their area says: m.
+double mean_edge(const json& part, std::size_t place) {
+  const auto& row = part["surfaces"][place];
+  return std::sqrt(4 / std::sqrt(3) * row["area_m2"].get<double>() / row["facets"].get<double>());
+}
+
+/// x = 0 is surface 1, "left wall": 20 x 30 mm; edges are up to 5.5 mm elsewhere.
+TEST(ImportedBox, IsFinerOnTheSurfaceWhereThatIsAskedFor) {
+  TEDIT_NEEDS_CAD();
+  const auto plain = import_part(cad_parts + "box.step --size coarse");
+  const auto by_number = import_part(cad_parts + "box.step --size coarse --local-size 1=1");
+  const auto by_name =
+    import_part(cad_parts + "box.step --size coarse --local-size \"left wall=1\"");
+
+  EXPECT_EQ(by_number["version_id"], by_name["version_id"]);
+  EXPECT_NEAR(mean_edge(by_number, 0), 1e-3, 0.2e-3);
+  // The wall across is 10 mm away.
+  EXPECT_NEAR(mean_edge(by_number, 1), mean_edge(plain, 1), 1.5e-3);
+  EXPECT_GT(mean_edge(by_number, 1), 2.5e-3);
+  EXPECT_GT(by_number["radius_ratio"]["min"].get<double>(), 0.1);
+  EXPECT_NEAR(by_number["volume_m3"].get<double>(), 6e-6, 1e-14);
+  EXPECT_EQ(by_number["edge_length_m"], plain["edge_length_m"]);
+}
+
+TEST(ImportedBox, ASizeForNoSurfaceOrWithoutALengthIsRefused) {
+  TEDIT_NEEDS_CAD();
+  const auto said = [](const std::string& more) {
+    return run("import --json " + cad_parts + "box.step " + more);
+  };
+  auto refused = said("--local-size 7=1");
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.out, ::testing::HasSubstr("the part has no surface \\\"7\\\""));
+  EXPECT_THAT(refused.out, ::testing::HasSubstr("Its surfaces are 1 to 6"));
+  for (const std::string text : {"1", "1=", "=2", "1=2mm", "1=-2", "1=nan", "1=1e9"})
+    EXPECT_EQ(said("--local-size " + text).status, 2) << text;
+  EXPECT_THAT(run("import --json " TEDIT_TEST_DATA "/scan/inch_block.stl --local-size 1=1").out,
+              ::testing::HasSubstr("--local-size is for CAD files"));
+}
+
 TEST(ImportedInchBlock, HasTheSizeOfItsInches) {
   TEDIT_NEEDS_CAD();
   const auto part = import_part(cad_parts + "inch_block.stp --size fine");
