@@ -97,12 +97,23 @@ struct worker_set {
 
 // -- in the server's process ---------------------------------------------------------------
 
+/// Makes edits on the CAD models of parts, a process each, as many at once as the server allows, in
+/// the order of arrival; one in each server.
+using cad_editor_actor = caf::typed_actor<
+  // Makes one. An edit that cannot be made on the model is an answer; errors are those of the
+  // system.
+  caf::replies_to<job_id, cad_order>::with<cad_outcome>,
+  // Ends it early; it is then answered with `cancelled`.
+  caf::reacts_to<cancel_atom, job_id>>;
+
 /// Waits for the disk on behalf of all stores; a few in each server, each with a thread.
 using disk_actor = caf::typed_actor<
   // Opens the document and reads all of it.
   caf::replies_to<load_atom, shared_file>::with<stored_document>,
   // Reads one version of an open document.
   caf::replies_to<load_atom, shared_file, version_query>::with<stored_version>,
+  // Reads the CAD model of one of its versions.
+  caf::replies_to<load_atom, shared_file, cad_query>::with<stored_cad>,
   // Writes one transaction; the answer means that it is durable.
   caf::replies_to<shared_file, stored_change>::with<acknowledged>,
   // The whole document as one file.
@@ -135,6 +146,8 @@ using store_actor = caf::typed_actor<
   caf::replies_to<load_atom>::with<stored_document>,
   // The mesh of one version, after that.
   caf::replies_to<load_atom, version_query>::with<stored_version>,
+  // The CAD model of one version, after that.
+  caf::replies_to<load_atom, cad_query>::with<stored_cad>,
   // Writes one transaction; the answer means that it is durable.
   caf::replies_to<stored_change>::with<acknowledged>,
   // The whole document as one file, as it is after the commits before this.

@@ -13,6 +13,8 @@
 #include <caf/actor.hpp>
 #include <caf/allowed_unsafe_message_type.hpp>
 
+#include "actors/cad_messages.hpp"
+#include "actors/library_messages.hpp"
 #include "actors/messages.hpp"
 #include "actors/store/document.hpp"
 #include "fem/receipt.hpp"
@@ -70,6 +72,7 @@ struct version_info {
   std::vector<std::string> load_cases;  ///< Names.
   std::string name;                     ///< That somebody gave it; mostly empty.
   std::string note;
+  std::optional<cad_state> cad = {};  ///< None for a part that did not come from CAD.
 };
 
 // -- requests to a session; `ticket` names the request for progress and cancel, `client` who hears
@@ -218,6 +221,12 @@ struct load_cases_changed {
 };
 
 struct version_annotated {
+  std::string document;
+  version_info info;
+};
+
+/// How a version stands on the CAD model is known now.
+struct cad_known {
   std::string document;
   version_info info;
 };
@@ -385,70 +394,6 @@ struct rename_request {
   bool close = false;  ///< It was opened for that: ends the session afterwards if nobody uses it.
 };
 
-/// A document of this name gets a copy of another one, open or not.
-struct copy_request {
-  std::string document;
-  std::string name;
-  cancel_token stop = {};
-};
-
-/// The same for the session of one that is open, its store and a disk.
-struct copy_order {
-  std::string name;
-  cancel_token stop = {};
-};
-
-/// The same for a disk, of a document that nobody has open.
-struct file_copy {
-  std::filesystem::path from;
-  std::filesystem::path to;
-  cancel_token stop = {};
-};
-
-/// A document is to go for good; only who asks may have it open.
-struct delete_request {
-  std::string document;
-  caf::actor asker;
-};
-
-/// The same for a disk, of a document that nobody has open.
-struct deletion {
-  std::filesystem::path file;
-};
-
-/// The name of a document that is gone.
-struct deleted_document {
-  std::string name;
-};
-
-/// A folder of documents whose files a disk is to look at, from outside.
-struct folder_query {
-  std::filesystem::path folder;
-};
-
-/// A document of the server.
-struct document_row {
-  std::string name;
-  std::int64_t bytes = 0;    ///< Of its file, with the log; 0 while it has none.
-  std::int64_t changed = 0;  ///< Seconds since 1970, UTC; 0 while it has no file.
-  bool open = false;
-  std::size_t clients = 0;              ///< That have it open.
-  std::optional<std::size_t> versions;  ///< Of an open one.
-  std::optional<std::uint32_t> head;    ///< Its number, of an open one that has any.
-};
-
-/// Documents by their names.
-struct document_list {
-  std::vector<document_row> documents;
-};
-
-/// How an open document stands.
-struct session_status {
-  std::size_t clients = 0;  ///< That have it open.
-  std::size_t versions = 0;
-  std::optional<std::uint32_t> head;  ///< Its number.
-};
-
 /// A session, with the name that the server gave it.
 struct opened_document {
   std::string name;
@@ -478,6 +423,7 @@ CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::session_snapshot)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::head_moved)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::load_cases_changed)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::version_annotated)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::cad_known)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::document_renamed)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::held_result)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::solve_note)
@@ -498,12 +444,3 @@ CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::add_request)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::adoption)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::added_document)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::rename_request)
-CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::copy_request)
-CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::copy_order)
-CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::file_copy)
-CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::delete_request)
-CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::deletion)
-CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::deleted_document)
-CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::folder_query)
-CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::document_list)
-CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::session_status)

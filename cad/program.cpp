@@ -200,7 +200,7 @@ program_end run_program(const std::string& name, const std::string& what,
                {}};
     return end;
   }
-  const auto deadline = clock::now() + limits.time;
+  const auto deadline = clock::now() + std::max(limits.time, limits.clock);
   listener hears(end, run);
   auto stopped = listen(child.line.get(), deadline, hears, run);
   const int status = wait_for(child.pid, deadline, stopped, run);

@@ -14,9 +14,10 @@ namespace tedit::cad {
 
 /// What one of the two programs may use up.
 struct program_limits {
-  std::chrono::seconds time{120};                       ///< By the clock, and of CPU.
+  std::chrono::seconds time{120};                       ///< Of CPU, and by the clock.
   std::uint64_t memory_bytes = std::uint64_t{4} << 30;  ///< Address space.
   std::uint64_t file_bytes = std::uint64_t{1} << 30;    ///< Of each file that it writes.
+  std::chrono::seconds clock{0};  ///< By the clock, for one that gives way to others; 0: as `time`.
 };
 
 /// How a program ended.

@@ -32,6 +32,7 @@ struct server_config {
   int modeling_workers = 1;
   int optimizer_workers = 1;
   int solver_workers = 1;
+  int cad_jobs = 1;
   std::string sandbox = "auto";
   // [plugins]
   bool safe_mode = false;

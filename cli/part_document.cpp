@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "actors/cad/cad_rows.hpp"
 #include "actors/session/change_log.hpp"
 #include "actors/store/check.hpp"
 #include "actors/store/document.hpp"
@@ -19,46 +20,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* same = "same";
-constexpr const char* mesh_only = "mesh_only";
-
 store::cad_row to_row(const cad_state& state, std::uint32_t number) {
-  store::cad_row row;
+  auto row = state.model ? actors::row_with(*state.model, state.deviation_m)
+                         : actors::row_without_model(state.reason);
   row.number = number;
-  row.status = state.model ? same : mesh_only;
-  row.reason = state.reason;
-  row.deviation = state.deviation_m;
-  if (state.model) {
-    row.facts = cad::to_text(state.model->facts);
-    row.shape = *state.model->shape;
-  }
   return row;
 }
 
 expected<cad_state> from_row(const store::cad_row& row) {
   cad_state state{std::nullopt, row.reason, row.deviation};
-  if (row.status != same)
+  if (actors::cad_state_of(row).status != actors::cad_status::same)
     return state;
-  auto facts = cad::facts_from(row.facts);
-  if (!facts)
-    return fail(facts.error());
-  state.model.emplace(std::make_shared<const std::string>(row.shape), std::move(*facts));
+  auto model = actors::model_in(row);
+  if (!model)
+    return fail(model.error());
+  state.model = std::move(*model);
   return state;
-}
-
-/// The request of the edit that made a version, as the log has it.
-std::optional<edit_request> request_of(const store::contents& rows, std::uint32_t number) {
-  for (const auto& line : rows.log) {
-    const auto past = actors::past_change::from_log(line);
-    if (!past || past->what != "edit" || past->version != number)
-      continue;
-    auto details = nlohmann::json::parse(line.details, nullptr, false);
-    for (const char* key : {"client", "time", "head", "warnings", "edit_id", "request"})
-      details.erase(key);
-    if (auto wanted = protocol::from_json<edit_request>(details.dump()))
-      return std::move(*wanted);
-  }
-  return std::nullopt;
 }
 
 /// Follows the edits of a document on its CAD model.
@@ -102,26 +79,30 @@ private:
   }
 
   expected<cad_state> edit(const cad::cad_model& model, std::uint32_t from, std::uint32_t to) {
-    const auto name = "version " + std::to_string(to) + " (" + row_of(to)->operation + ")";
-    const auto wanted = request_of(rows_, to);
+    actors::version_info version;
+    version.number = to;
+    version.operation = row_of(to)->operation;
+    const auto mesh_only = [&](const std::string& reason) {
+      return cad_state{std::nullopt, actors::reason_after(version, reason), 0};
+    };
+    const auto requests = actors::requests_in(rows_.log, {to});
     const auto report = actors::read_report(*row_of(to));
     if (!report)
       return fail(report.error());
     const auto found = plugins_.find(row_of(to)->operation);
-    if (!wanted || !*report || !found)
-      return cad_state{std::nullopt,
-                       name + " is in the mesh only: the document does not say how it was made", 0};
+    if (requests.empty() || !*report || !found)
+      return mesh_only(actors::unknown_request);
     const auto before = actors::read_version(document_, from);
     const auto after = actors::read_version(document_, to);
     if (!before || !after)
       return fail(before ? after.error() : before.error());
-    auto made =
-      cad::replay_edit({model, (*found)->description, *before, *after, *wanted, **report}, run_);
+    auto made = cad::replay_edit(
+      {model, (*found)->description, *before, *after, requests.at(to), **report}, run_);
     if (!made)
       return fail(made.error());
     if (made->verdict.is_same)
       return cad_state{std::move(made->model), "", 1e-3 * made->verdict.deviation_mm};
-    return cad_state{std::nullopt, name + " is in the mesh only: " + made->verdict.reason, 0};
+    return mesh_only(made->verdict.reason);
   }
 
   const store::document_view& document_;

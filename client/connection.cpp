@@ -259,6 +259,7 @@ expected<void> connection::dispatch(v1::ServerMessage& message, std::size_t byte
     case body::kSolveStatus:
     case body::kLoadCasesChanged:
     case body::kVersionAnnotated:
+    case body::kCadStateChanged:
     case body::kDocumentRenamed:
     case body::kSurfaceUpdate:
     case body::kFieldUpdate:
@@ -299,6 +300,12 @@ expected<void> connection::dispatch_event(v1::ServerMessage& message, std::size_
     const auto& what = message.version_annotated();
     if (handlers_.on_annotated && inbox_.is_open(what.document()))
       handlers_.on_annotated(from_message(what.version()));
+    return {};
+  }
+  if (message.has_cad_state_changed()) {
+    const auto& what = message.cad_state_changed();
+    if (handlers_.on_cad && inbox_.is_open(what.document()))
+      handlers_.on_cad(from_message(what.version()));
     return {};
   }
   if (message.has_document_renamed()) {

@@ -113,6 +113,9 @@ version_info from_message(const v1::VersionInfo& message) {
   result.note = message.note();
   if (message.has_report())
     result.report = protocol::from_message(message.report());
+  if (message.has_cad())
+    result.cad = {static_cast<cad_status>(message.cad().status()), message.cad().reason(),
+                  message.cad().deviation_m()};
   return result;
 }
 

@@ -83,6 +83,18 @@ struct field_event {
   [[nodiscard]] bool interim() const { return envelope ? envelope->interim : report.interim; }
 };
 
+/// The numbers of `tedit.v1.CadState.Status`.
+enum class cad_status { unspecified = 0, pending = 1, same = 2, mesh_only = 3, failed = 4 };
+
+/// How a version stands on the CAD model of its part (message `tedit.v1.CadState`).
+struct cad_state {
+  cad_status status = cad_status::unspecified;
+  std::string reason;      ///< Of `mesh_only` and `failed`.
+  double deviation_m = 0;  ///< Of `same`: of the mesh's new vertices from the model, at most.
+
+  friend bool operator==(const cad_state&, const cad_state&) = default;
+};
+
 /// One version of a document (message `tedit.v1.VersionInfo`).
 struct version_info {
   std::uint32_t number = 0;  ///< In the order in which they were made.
@@ -97,6 +109,7 @@ struct version_info {
   std::string note;
   /// Of the edit that made it: in `document_state`, and in a `history` that was asked for with it.
   std::optional<edit_report> report;
+  std::optional<cad_state> cad;  ///< None for a part that did not come from CAD.
 };
 
 /// Names of `fem::result_arrays` that are wanted with every field beside those that are always
@@ -284,6 +297,7 @@ struct events {
   std::function<void(const solve_status&)> on_solve_status;
   std::function<void(const load_cases_event&)> on_load_cases;  ///< By any client.
   std::function<void(const version_info&)> on_annotated;       ///< By any client.
+  std::function<void(const version_info&)> on_cad;  ///< How it stands on the CAD model is known.
   /// By any client: the document's name from now on, which requests use already.
   std::function<void(const std::string& name)> on_renamed;
   std::function<void(const solve_outcome&)> on_solved;  ///< Whoever asked for it.

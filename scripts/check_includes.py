@@ -71,18 +71,19 @@ ROOMS = {
     "client": (("tls", "certs", "protocol", *WIRE), ("boost/", "tedit/v1/", "google/")),
     "client/recipes": (("client", "protocol", *WIRE), ("nlohmann/",)),
     "actors/links": (("certs", "base"), ("caf/", "spdlog/", "boost/", "openssl/")),
+    "actors/cad": (("actors", "cad", "protocol", "edit", "ops/sdk", "mesh", "base"), ("caf/", "nlohmann/")),
     "actors": (
-        ("actors/links", "sandbox", "protocol", "compare", "edit", "fem", "fem/native", "ops/loader", "ops/services", "ops/sdk", "mesh/io", "mesh", "base"),
+        ("actors/cad", "actors/links", "sandbox", "protocol", "compare", "edit", "fem", "fem/native", "ops/loader", "ops/services", "ops/sdk", "mesh/io", "mesh", "base"),
         ("caf/", "spdlog/", "fmt/", "sqlite3.h", "zstd.h", "nlohmann/"),
     ),
-    "actors/node/server.cpp": (("actors/gateway", "actors", "sandbox", "base"), ("caf/", "spdlog/")),
+    "actors/node/server.cpp": (("actors/cad", "actors/gateway", "actors", "sandbox", "base"), ("caf/", "spdlog/")),
     "actors/gateway": (
         ("tls", "actors", "protocol", "compare", "fem", "ops/sdk", "mesh", "base"),
         ("caf/", "spdlog/", "fmt/", "boost/", "google/", "tedit/v1/", "openssl/", "nlohmann/"),
     ),
     "node": (("actors", "fem", *WIRE), ("caf/",)),
     "cli": (
-        ("cad", "scan", "certs", "tls", "sandbox", "actors/links", "actors", "client", "protocol", "compare", "edit", "verification", "fem", "ops/conformance",
+        ("cad", "scan", "certs", "tls", "sandbox", "actors/cad", "actors/links", "actors", "client", "protocol", "compare", "edit", "verification", "fem", "ops/conformance",
          "ops/loader", "ops/services", "ops/sdk", "mesh/io", "mesh", "base", "actors/gateway/users.hpp"),
         ("CLI/", "nlohmann/", "spdlog/", "fmt/", "toml++/"),
     ),

@@ -6,6 +6,14 @@
 
 namespace tedit::gateway {
 
+void to_message(const actors::cad_state& state, v1::CadState* out) {
+  static_assert(static_cast<int>(actors::cad_status::pending) + 1 == v1::CadState::PENDING &&
+                static_cast<int>(actors::cad_status::failed) + 1 == v1::CadState::FAILED);
+  out->set_status(static_cast<v1::CadState::Status>(static_cast<int>(state.status) + 1));
+  out->set_reason(state.reason);
+  out->set_deviation_m(state.deviation);
+}
+
 void to_message(const actors::version_info& info, v1::VersionInfo* out) {
   out->set_number(info.number);
   out->set_version_id(to_hex(info.id));
@@ -18,6 +26,8 @@ void to_message(const actors::version_info& info, v1::VersionInfo* out) {
   out->mutable_load_cases()->Assign(info.load_cases.begin(), info.load_cases.end());
   out->set_name(info.name);
   out->set_note(info.note);
+  if (info.cad)
+    to_message(*info.cad, out->mutable_cad());
 }
 
 void add_report(const actors::shared_report& report, v1::VersionInfo* out) {

@@ -63,7 +63,8 @@ void start_opening(hub_pointer self, const std::string& name) {
                             with.results,
                             with.versions,
                             take_remains(self->state, name),
-                            with.reader};
+                            with.reader,
+                            with.cad};
         const auto session = self->spawn<caf::linked>(make_session, std::move(parts), stored);
         self->state.open.emplace(name, session);
         answer_all(self, name, session);

@@ -35,6 +35,7 @@ struct hub_parts {
   std::shared_ptr<version_memory> versions = std::make_shared<version_memory>(version_bytes);
   std::optional<disk_set> disks = {};  ///< None: the hub makes its own.
   job_thread_actor reader = {};        ///< As `session_parts::reader`.
+  cad_editor_actor cad = {};           ///< As `session_parts::cad`.
 };
 
 struct hub_state {

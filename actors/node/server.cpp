@@ -8,6 +8,7 @@
 #include <caf/actor_system.hpp>
 #include <caf/scoped_actor.hpp>
 
+#include "actors/cad/cad_editor.hpp"
 #include "actors/gateway/gateway.hpp"
 #include "actors/modeling/modeling.hpp"
 #include "actors/node/hub.hpp"
@@ -90,6 +91,14 @@ worker_set start_pools(caf::actor_system& system, const server_options& options,
   if (!options.node_certificates.empty())
     solvers = make_case_spreading(system, solvers, pages, cache);
   return {modeling, optimizer, make_solver_choice(system, solvers, own_kind)};
+}
+
+cad_editor_actor start_cad_editor(caf::actor_system& system, const modeling_actor& modeling,
+                                  unsigned jobs) {
+  std::vector<job_thread_actor> threads;
+  for (unsigned i = 0; i < jobs; ++i)
+    threads.push_back(spawn_background_thread(system));
+  return system.spawn(make_cad_editor, modeling, std::move(threads));
 }
 
 std::vector<std::pair<std::string, std::string>> states_of(const role_healths& healths) {
@@ -243,10 +252,15 @@ expected<std::unique_ptr<server>> server::start(const server_options& options) {
                          : start_threads(system, options, cache, pages);
   const auto results = std::make_shared<result_memory>(options.result_bytes);
   const auto versions = std::make_shared<version_memory>(options.version_bytes);
-  const auto hub = system.spawn(
-    make_hub, hub_parts{options.documents, workers, pages, cache, options.device,
-                        options.unused_limit, options.temporary_limit, results, versions});
+  hub_parts shared{
+    options.documents,       workers, pages,   cache, options.device, options.unused_limit,
+    options.temporary_limit, results, versions};
+  if (options.cad_jobs > 0)
+    shared.cad = start_cad_editor(system, workers.modeling, options.cad_jobs);
+  const auto hub = system.spawn(make_hub, shared);
   made->to_end = {caf::actor_cast<caf::actor>(hub), caf::actor_cast<caf::actor>(pages)};
+  if (shared.cad)
+    made->to_end.push_back(caf::actor_cast<caf::actor>(shared.cad));
   workers.for_each([&](worker_role, const auto& worker) {
     made->to_end.push_back(caf::actor_cast<caf::actor>(worker));
   });

@@ -46,6 +46,9 @@ struct server_options {
   unsigned modeling_workers = 1;
   unsigned optimizer_workers = 1;
   unsigned solver_workers = 1;
+  /// Edits that are made on CAD models at once, behind all other work; 0: none, they are made when
+  /// a model is exported.
+  unsigned cad_jobs = 1;
   std::chrono::milliseconds import_limit{10 * 60 * 1000};  ///< Also for exports.
   std::chrono::milliseconds edit_limit{2 * 60 * 1000};
   std::chrono::milliseconds solve_limit{2 * 60 * 60 * 1000};

@@ -170,15 +170,18 @@ void session_state::commit_edit(const std::shared_ptr<edit_run>& run,
   node.load_cases = made.load_cases;
   node.report = made.timed_report(run->total.milliseconds());
   describe_mesh(node, made.mesh);
+  node.info.cad = cad_of_child(node);
   auto made_now = begin_change(request.terms, run->asked);
   made_now.operation = request.wanted.operation;
-  commit_node(std::move(node), std::move(made_now), run->asked.how, {request.client, run->promise});
+  const auto number = node.info.number;
+  commit_node(std::move(node), std::move(made_now), run->asked.how, {request.client, run->promise},
+              [=, this] { add_to_cad(number, run->request.wanted); });
 }
 
 // -- the head moves ------------------------------------------------------------------------------
 
 void session_state::commit_node(graph_node node, past_change made, const std::string& how,
-                                head_waiter asked_by) {
+                                head_waiter asked_by, std::function<void()> then) {
   const auto* head = graph.head();
   auto change = change_of(node, head ? head->mesh.get() : nullptr);
   made.version = node.info.number;
@@ -196,6 +199,8 @@ void session_state::commit_node(graph_node node, past_change made, const std::st
       nearby[shared->info.number].bytes = bytes;
       graph.add(std::move(*shared));
       show_head(made, ms, std::move(asked_by));
+      if (then)
+        then();
     },
     [=, this](const error& e) mutable {
       asked_by.promise.deliver(to_caf(e));

@@ -272,6 +272,7 @@ caf::result<acknowledged> session_state::erase(const caf::actor& asker) {
                    {}});
   end_active_solve(ec::cancelled, "the document is being deleted", solve_phase::cancelled);
   ended = true;
+  stop_cad();
   const auto promise = std::make_shared<caf::typed_response_promise<acknowledged>>(
     self->make_response_promise<acknowledged>());
   self->request(parts.store, std::chrono::minutes(5), delete_atom::value)
@@ -283,6 +284,7 @@ caf::result<acknowledged> session_state::erase(const caf::actor& asker) {
       },
       [=, this](const caf::error& e) {
         ended = false;
+        next_cad();
         promise->deliver(to_caf(from_caf(e, "deleting the document")));
       });
   return *promise;

@@ -38,6 +38,7 @@ session_state::session_state() {
 session_state::~session_state() {
   caf::anon_send_exit(ear, caf::exit_reason::user_shutdown);
   end_comparisons();
+  stop_cad();
   numbers::open_documents().add(-1);
   numbers::subscriptions().add(-static_cast<double>(subscribers.size()));
 }
@@ -47,12 +48,14 @@ void session_state::start(session_pointer owner, session_parts with, stored_docu
   ear = self->spawn(make_ear, caf::actor_cast<caf::actor_addr>(self));
   parts = std::move(with);
   past = change_log(stored.log);
+  const auto log = std::move(stored.log);
   graph = version_graph(std::move(stored));
   if (const auto* head = graph.head())
     parts.cache->put(*head->mesh);
   begin_meshes();
   if (const auto before = std::exchange(parts.remains, nullptr))
     take_over(*before);
+  begin_cad(log);
   look_later();
 }
 
@@ -120,7 +123,8 @@ caf::result<session_version> session_state::version(const version_request& reque
 
 bool session_state::is_unused() const {
   return subscribers.empty() && !running && waiting.empty() && previews.empty() && !active &&
-         progress_of.empty() && comparisons.empty() && copying == 0 && loading == 0 && !ended;
+         progress_of.empty() && comparisons.empty() && copying == 0 && loading == 0 && !ended &&
+         !(cad_running && cad_running->storing);
 }
 
 void session_state::look_later() {
@@ -142,6 +146,7 @@ caf::result<shared_remains> session_state::end() {
   if (!is_unused())
     return to_caf({ec::conflict, "the document is in use", {}, {}});
   ended = true;
+  stop_cad();
   const auto promise = std::make_shared<caf::typed_response_promise<shared_remains>>(
     self->make_response_promise<shared_remains>());
   self->request(parts.store, std::chrono::minutes(5), close_atom::value)
@@ -155,6 +160,7 @@ caf::result<shared_remains> session_state::end() {
       },
       [=, this](const caf::error& e) {
         ended = false;
+        next_cad();
         promise->deliver(to_caf(from_caf(e, "closing the document")));
       });
   return *promise;
@@ -180,6 +186,7 @@ void session_state::next_command() {
 
 void session_state::finish_command() {
   running.reset();
+  store_cad();
   next_command();
 }
 

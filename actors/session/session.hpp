@@ -53,15 +53,17 @@ struct session_parts {
   std::shared_ptr<version_memory> versions = std::make_shared<version_memory>(version_bytes);
   shared_remains remains = {};   ///< Of the session before; may be null.
   job_thread_actor reader = {};  ///< Does what reads much; null: each has a thread of its own.
+  cad_editor_actor cad = {};     ///< Null: no edit is made on CAD models.
 };
 
 struct session_state;
 using session_pointer = session_actor::stateful_pointer<session_state>;
 
-/// The state of a session. Its members are what the handlers call; they are split over eight
+/// The state of a session. Its members are what the handlers call; they are split over nine
 /// files: session.cpp (subscribers, queue, history), edits.cpp (everything that moves the head),
 /// changes.cpp (what every change must pass), meshes.cpp (meshes of versions), candidates.cpp
-/// (operations, previews), notes.cpp (what makes no new version), solves.cpp and comparisons.cpp.
+/// (operations, previews), notes.cpp (what makes no new version), solves.cpp, comparisons.cpp and
+/// cad.cpp (edits on the CAD model).
 struct session_state {
   /// Something that changes the document. One at a time, in the order of arrival.
   struct command {
@@ -186,8 +188,10 @@ struct session_state {
   void begin_edit(const std::shared_ptr<edit_run>& run);
   void refuse_edit(const std::shared_ptr<edit_run>& run, const error& e);
   void commit_edit(const std::shared_ptr<edit_run>& run, const checked_candidate& made);
-  /// `made`: the change, but for its version; `how` as it was asked for.
-  void commit_node(graph_node node, past_change made, const std::string& how, head_waiter asked_by);
+  /// `made`: the change, but for its version; `how` as it was asked for. `then` is called when all
+  /// have been told.
+  void commit_node(graph_node node, past_change made, const std::string& how, head_waiter asked_by,
+                   std::function<void()> then = {});
   void show_head(const past_change& made, double commit_ms, head_waiter asked_by);
   void begin_move(const move_request& request, caf::typed_response_promise<head_moved> promise);
   void commit_move(const move_request& request, const version_graph::target& target,
@@ -319,6 +323,35 @@ struct session_state {
   [[nodiscard]] expected<std::pair<solved, solved>> results_to_compare(
     const graph_node& before, const graph_node& after, const std::string& load_case) const;
 
+  // -- cad.cpp --------------------------------------------------------------------------------
+
+  /// The document is open: which edits are still to be made on its CAD model.
+  void begin_cad(const std::vector<store::log_row>& log);
+  /// The state of a version that is about to be made by an edit.
+  [[nodiscard]] std::optional<cad_state> cad_of_child(const graph_node& child) const;
+  /// An edit was committed: it is to be made on the model.
+  void add_to_cad(std::uint32_t number, const edit_request& wanted);
+  /// The first of those that wait, when nothing else is done with the model.
+  void next_cad();
+  void send_to_cad(std::shared_ptr<const store::cad_row> model);
+  /// The model of the version is known: makes that durable, between two commands.
+  void keep_cad(store::cad_row row);
+  void store_cad();
+  /// Tells all what is known of a version.
+  void show_cad(std::uint32_t number, cad_state state);
+  /// The system failed: nothing more is tried until the document is opened again.
+  void fail_cad(const error& why);
+  /// Ends what runs; `next_cad` begins it anew.
+  void stop_cad();
+
+  /// An edit that is being made on the CAD model.
+  struct cad_run {
+    std::uint32_t number = 0;
+    job_id job;
+    std::shared_ptr<const store::cad_row> result;  ///< Null until it is known.
+    bool storing = false;
+  };
+
   /// A version other than the head that was used lately.
   struct near_version {
     version_memory::handle kept;  ///< Null while it is the head.
@@ -347,6 +380,10 @@ struct session_state {
   std::list<kept_result> results;  ///< Used last at the front.
 
   std::deque<std::shared_ptr<comparison_run>> comparisons;  ///< The first one runs.
+
+  std::map<std::uint32_t, std::optional<edit_request>> cad_waiting;  ///< Null: not known.
+  std::optional<cad_run> cad_running;
+  std::optional<error> cad_failure;
 
   std::uint64_t looks = 0;                       ///< Called for by `look_later`.
   std::map<std::uint32_t, near_version> nearby;  ///< By number.

@@ -51,6 +51,11 @@ public:
     nodes_[number].info.note = std::move(note);
   }
 
+  /// How it stands on the CAD model. @pre there is such a version.
+  void set_cad(std::uint32_t number, std::optional<cad_state> state) {
+    nodes_[number].info.cad = std::move(state);
+  }
+
 private:
   [[nodiscard]] expected<target> way_to(std::uint32_t number) const;
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "actors/store/loading.hpp"
 
+#include <algorithm>
 #include <unordered_map>
 #include <unordered_set>
 
+#include "actors/cad/cad_rows.hpp"
 #include "actors/pages/page_cache.hpp"
 #include "protocol/forms.hpp"
 
@@ -121,8 +123,11 @@ expected<stored_document> load(const store::document& document, bool only_head) 
     if (!report)
       return fail(report.error());
     graph_node node;
+    const auto cad = std::ranges::find(contents->cad, row.number, &store::cad_row::number);
     node.info = {row.number, row.id,  row.parent, row.operation, 0, 0, 0, names_of(*load_cases),
                  row.name,   row.note};
+    if (cad != contents->cad.end())
+      node.info.cad = cad_state_of(*cad);
     node.load_cases = load_cases;
     node.report = std::move(*report);
     node.redo = row.redo;

@@ -99,6 +99,16 @@ caf::result<stored_version> load_one(document_file& file, const version_query& w
   return std::move(*found);
 }
 
+caf::result<stored_cad> load_cad(document_file& file, const cad_query& wanted) {
+  const std::lock_guard lock(file.in_use);
+  if (!file.document)
+    return to_caf({ec::storage_error, "the document is not open", {}, {}});
+  auto row = file.document->read_cad(wanted.number);
+  if (!row)
+    return to_caf(row.error());
+  return stored_cad{*row ? std::make_shared<const store::cad_row>(std::move(**row)) : nullptr};
+}
+
 caf::result<acknowledged> write(document_file& file, const store::change& change) {
   const std::lock_guard lock(file.in_use);
   if (!file.document)
@@ -190,6 +200,11 @@ disk_actor::behavior_type make_disk(disk_actor::stateful_pointer<disk_state> sel
             end_job(file);
             return result;
           },
+          [=](load_atom, const shared_file& file, const cad_query& wanted) {
+            auto result = load_cad(*file, wanted);
+            end_job(file);
+            return result;
+          },
           [=](const shared_file& file, const stored_change& change) {
             auto result = write(*file, *change.change);
             end_job(file);
@@ -272,6 +287,10 @@ store_actor::behavior_type make_store(store_actor::stateful_pointer<store_state>
       return self->delegate(use(self->state.disks.for_load()), load_atom::value, self->state.file);
     },
     [=](load_atom, const version_query& wanted) {
+      return self->delegate(use(self->state.disks.for_load()), load_atom::value, self->state.file,
+                            wanted);
+    },
+    [=](load_atom, const cad_query& wanted) {
       return self->delegate(use(self->state.disks.for_load()), load_atom::value, self->state.file,
                             wanted);
     },

@@ -110,6 +110,7 @@ device = "H200"
 modeling_workers = 2
 optimizer_workers = 3
 solver_workers = 64
+cad_jobs = 0
 sandbox = "off"
 [limits]
 edit_timeout_s = 0.5
@@ -143,6 +144,7 @@ level = "debug"
   EXPECT_EQ(config->modeling_workers, 2);
   EXPECT_EQ(config->optimizer_workers, 3);
   EXPECT_EQ(config->solver_workers, 64);
+  EXPECT_EQ(config->cad_jobs, 0);
   EXPECT_EQ(config->sandbox, "off");
   EXPECT_EQ(config->edit_timeout_s, 0.5);
   EXPECT_EQ(config->import_timeout_s, 60);

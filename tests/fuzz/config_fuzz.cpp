@@ -12,7 +12,7 @@ void check_accepted(const cli::server_config& config) {
   for (const int port : {config.port, config.node_port})
     fuzz::require(port >= 0 && port <= 65535, "a port is one");
   for (const int workers :
-       {config.modeling_workers, config.optimizer_workers, config.solver_workers})
+       {config.modeling_workers, config.optimizer_workers, config.solver_workers, config.cad_jobs})
     fuzz::require(workers >= 0 && workers <= 64, "workers are at most 64");
   for (const double seconds :
        {config.edit_timeout_s, config.import_timeout_s, config.solve_timeout_s,

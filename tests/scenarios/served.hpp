@@ -76,7 +76,9 @@ public:
     return message.SerializeAsString();
   }
 
-  std::unique_ptr<client::client> connect() { return value(client::client::connect(options_, {})); }
+  std::unique_ptr<client::client> connect(client::events handlers = {}) {
+    return value(client::client::connect(options_, std::move(handlers)));
+  }
 
 private:
   pid_t pid_ = 0;

@@ -366,11 +366,24 @@ void simulated_client::note_head(const v1::Committed& moved) {
   inbox_->head_moved(head_);
 }
 
+/// Once for each version, as long as it has the document open.
+void simulated_client::note_cad(const v1::CadStateChanged& known) {
+  const auto status = known.version().cad().status();
+  if (status == v1::CadState::PENDING || status == v1::CadState::STATUS_UNSPECIFIED)
+    fault("was told of a CAD state that is not known yet");
+  if (seen_ && known.document() == document_ &&
+      !past_.watches[*seen_].cad.insert(known.version().number()).second)
+    fault("was told twice of version " + std::to_string(known.version().number()) +
+          " on the CAD model");
+}
+
 void simulated_client::take_event(const v1::ServerMessage& message, std::size_t bytes) {
   if (message.has_committed())
     note_head(message.committed());
   else if (message.has_load_cases_changed())
     load_cases_ = bytes_of(message.load_cases_changed().load_cases());
+  else if (message.has_cad_state_changed())
+    note_cad(message.cad_state_changed());
   else if (message.has_document_renamed() && message.document_renamed().before() == document_) {
     document_ = message.document_renamed().document();
     (void)inbox_->renamed(message.document_renamed().before(), document_);

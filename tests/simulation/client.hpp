@@ -70,6 +70,7 @@ private:
   void check_list(const v1::DocumentList& list);
   void check_comparison(const v1::CompareVersions& asked, const v1::VersionsCompared& made);
   void note_head(const v1::Committed& moved);
+  void note_cad(const v1::CadStateChanged& known);
   void acknowledge(const std::string& edit_id, std::optional<seen_head> head);
   void fault(const std::string& what);
   void take(const expected<void>& done);

@@ -114,6 +114,9 @@ caf::behavior make_slow_disk(queue_pointer self, const disk_actor& real,
     [=](load_atom atom, const shared_file& file, const version_query& wanted) {
       return forward(std::in_place_type<stored_version>, atom, file, wanted);
     },
+    [=](load_atom atom, const shared_file& file, const cad_query& wanted) {
+      return forward(std::in_place_type<stored_cad>, atom, file, wanted);
+    },
     [=](const shared_file& file, const stored_change& change) -> caf::result<acknowledged> {
       if (mood->failing > 0) {
         --mood->failing;

@@ -23,7 +23,8 @@ struct watch {
   std::string document;                ///< By its present name.
   std::optional<std::uint32_t> first;  ///< The head when it was opened.
   std::vector<seen_head> moves;
-  bool to_the_end = false;  ///< It was still connected.
+  bool to_the_end = false;      ///< It was still connected.
+  std::set<std::uint32_t> cad;  ///< Versions whose state on the CAD model it was told.
 };
 
 /// What clients asked for and were told, and whatever is wrong with that at once.

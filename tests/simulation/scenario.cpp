@@ -117,12 +117,18 @@ scenario make_scenario(std::uint64_t seed) {
     for (auto n = 1 + random.below(4); n > 0; --n)
       add(what_befalls[random.below(what_befalls.size())], random.below(12), random.below(length));
   std::ranges::stable_sort(result.steps, {}, &scenario_step::at);
+  // A quarter has parts from CAD; most are edited instead of being replaced.
+  result.from_cad = seed % 4 == 3;
+  for (auto& step : result.steps)
+    if (result.from_cad && step.kind == import && step.value % 5 != 0)
+      step.kind = apply;
   return result;
 }
 
 std::string describe(const scenario& all) {
   std::string text = "seed " + std::to_string(all.seed) + ": " + std::to_string(all.clients) +
-                     " clients, " + std::to_string(all.documents) + " documents\n";
+                     " clients, " + std::to_string(all.documents) + " documents" +
+                     (all.from_cad ? ", from CAD\n" : "\n");
   for (const auto& step : all.steps)
     text += "  " + std::to_string(step.at.count()) + " ms: " + name_of(step.kind) + " by " +
             std::to_string(step.who) + ", " + std::to_string(step.value) + "\n";

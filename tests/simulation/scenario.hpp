@@ -61,6 +61,7 @@ struct scenario {
   std::size_t clients = 1;
   std::size_t documents = 1;
   std::vector<scenario_step> steps;  ///< By time.
+  bool from_cad = false;  ///< Documents begin with a version that came from CAD, with its model.
 };
 
 [[nodiscard]] scenario make_scenario(std::uint64_t seed);

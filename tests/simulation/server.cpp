@@ -2,6 +2,7 @@
 #include "tests/simulation/server.hpp"
 
 #include "actors/pages/page_store.hpp"
+#include "tests/simulation/cad.hpp"
 
 namespace tedit::simulation {
 
@@ -27,6 +28,8 @@ simulated_server::simulated_server(timeline& time, const std::filesystem::path& 
   hub.unused_limit = milliseconds(2000);
   hub.versions = std::make_shared<version_memory>(1);  // One beside the heads: most are read.
   hub.reader = system.spawn<job_thread>();
+  cad_ = spawn_cad_editor(system, time);
+  hub.cad = caf::actor_cast<cad_editor_actor>(cad_);
   hub_ = system.spawn(make_hub, hub);
   parts_.hub = hub_;
   parts_.guard = std::make_shared<gateway::token_guard>("token");
@@ -47,6 +50,7 @@ simulated_server::~simulated_server() {
   pools_.for_each(
     [](worker_role, const auto& pool) { cut_off(caf::actor_cast<caf::actor>(pool)); });
   cut_off(caf::actor_cast<caf::actor>(pages_));
+  cut_off(cad_);
   stage_.drain();
 }
 
@@ -92,6 +96,8 @@ std::vector<std::string> simulated_server::leftovers() {
     say(state.active.has_value(), name + ": a solve is left");
     say(state.copying != 0, name + ": copies are left");
     say(!state.comparisons.empty(), name + ": comparisons are left");
+    say(state.cad_running.has_value() || (!state.cad_waiting.empty() && !state.cad_failure),
+        name + ": edits on the CAD model are left");
     say(!state.progress_of.empty(), name + ": jobs are left in progress_of");
   }
   for (const auto& one : clients_) {

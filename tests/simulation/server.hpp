@@ -55,6 +55,7 @@ private:
   std::shared_ptr<page_cache> cache_;
   page_store_actor pages_;
   worker_set pools_;
+  caf::actor cad_;
   hub_actor hub_;
   gateway::gateway_parts parts_;
   std::vector<caf::actor> clients_;

@@ -9,6 +9,7 @@
 #include "actors/session/change_log.hpp"
 #include "actors/store/loading.hpp"
 #include "protocol/load_case_message.hpp"
+#include "tests/simulation/cad.hpp"
 #include "tests/simulation/client.hpp"
 #include "tests/simulation/server.hpp"
 #include "tests/simulation/shown.hpp"
@@ -30,6 +31,10 @@ public:
 
   outcome run() {
     std::filesystem::create_directories(folder_);
+    for (std::size_t d = 0; what_.from_cad && d < what_.documents; ++d)
+      if (const auto made = make_cad_document(folder_ / ("d" + std::to_string(d) + ".tedit"));
+          !made)
+        past_.faults.push_back(render(made.error()));
     server_ = std::make_unique<simulated_server>(time_, folder_, record_);
     for (std::size_t c = 0; c < what_.clients; ++c)
       add_client(c);
@@ -287,13 +292,20 @@ private:
       check_node(name, stored, node);
   }
 
+  /// What is kept of how a version stands on the CAD model.
+  static std::optional<cad_state> kept(const std::optional<cad_state>& state) {
+    const bool known =
+      state && (state->status == cad_status::same || state->status == cad_status::mesh_only);
+    return known ? state : std::nullopt;
+  }
+
   /// The session held what its file has.
   void check_same(const std::string& name, const version_graph& held,
                   const stored_document& stored) {
     const auto same = [](const graph_node& a, const graph_node& b) {
       return a.info.id == b.info.id && a.info.parent == b.info.parent && a.redo == b.redo &&
              a.info.name == b.info.name && a.info.note == b.info.note &&
-             *a.load_cases == *b.load_cases;
+             *a.load_cases == *b.load_cases && kept(a.info.cad) == kept(b.info.cad);
     };
     const bool heads_agree =
       held.head() ? stored.head == held.head()->info.number : !stored.head.has_value();
@@ -305,6 +317,8 @@ private:
     const auto say = [&](const std::string& what) {
       past_.faults.push_back(name + ": version " + std::to_string(node.info.number) + " " + what);
     };
+    if (node.info.cad && node.info.number > 0)
+      check_cad(stored, node, say);
     if (node.info.operation == "import")
       return;
     if (!node.info.parent)
@@ -316,6 +330,17 @@ private:
             mesh && mesh->id() == node.info.id)
           return;
     say("is none that its operation could have made of its parent");
+  }
+
+  /// The model has a version exactly if it has the one before and can have the edit.
+  template <class Say>
+  static void check_cad(const stored_document& stored, const graph_node& node, const Say& say) {
+    const auto parent = node.info.parent ? stored.nodes[*node.info.parent].info.cad : std::nullopt;
+    if (!parent || node.info.operation == "import")
+      return say("is on a CAD model that is of another part");
+    const bool has_it = parent->status == cad_status::same && is_made(node.info.id);
+    if ((node.info.cad->status == cad_status::same) != has_it)
+      say("is on the CAD model, and should not be, or the other way round");
   }
 
   [[nodiscard]] bool has(step_kind kind) const {

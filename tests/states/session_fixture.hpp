@@ -30,6 +30,9 @@ struct helper_state {
   std::vector<std::uint64_t> cancelled;
   std::map<std::string, version_ptr> versions;  ///< Held, as workers hold theirs.
   std::shared_ptr<page_cache> cache;
+  std::vector<std::shared_ptr<const store::change>> changes;  ///< That were asked for.
+  std::vector<std::uint32_t> models;                          ///< Likewise, by their versions.
+  std::string mesh_only;  ///< Why the next edit is not made on the CAD model; empty: it is.
   int closed = 0;
   static inline const char* name = "helper";
 };
@@ -109,7 +112,25 @@ inline caf::behavior make_helper(helper_actor* self, std::shared_ptr<page_cache>
         return stored_version{self->state.versions.at(to_hex(wanted.id)), 1000};
       });
     },
-    [=](const stored_change&) {
+    [=](load_atom, const cad_query& wanted) {
+      self->state.models.push_back(wanted.number);
+      return add_task<stored_cad>(self, "model", {}, {}, [=] {
+        auto row = std::make_shared<store::cad_row>();
+        row->number = wanted.number;
+        return stored_cad{std::move(row)};
+      });
+    },
+    [=](job_id job, const cad_order& order) {
+      return add_task<cad_outcome>(self, "cad", job, order.after->id(), [self] {
+        auto row = std::make_shared<store::cad_row>();
+        row->reason = std::exchange(self->state.mesh_only, {});
+        row->status = row->reason.empty() ? "same" : "mesh_only";
+        row->deviation = row->reason.empty() ? 2e-9 : 0;
+        return cad_outcome{std::move(row)};
+      });
+    },
+    [=](const stored_change& change) {
+      self->state.changes.push_back(change.change);
       return add_task<acknowledged>(self, "commit", {}, {}, [] { return acknowledged{}; });
     },
     [=](copy_atom, const copy_order&) {
@@ -136,6 +157,7 @@ struct listener_state {
   std::vector<load_cases_changed> loads;
   std::vector<solve_note> solves;
   std::vector<solved> results;
+  std::vector<version_info> cad;
   static inline const char* name = "listener";
 };
 using listener_actor = caf::stateful_actor<listener_state>;
@@ -145,6 +167,7 @@ inline caf::behavior make_listener(listener_actor* self, int /*number*/) {
           [=](const load_cases_changed& e) { self->state.loads.push_back(e); },
           [=](const solve_note& e) { self->state.solves.push_back(e); },
           [=](const solved& e) { self->state.results.push_back(e); },
+          [=](const cad_known& e) { self->state.cad.push_back(e.info); },
           [](const version_annotated&) {},
           [](const document_renamed&) {},
           [](const request_progress&) {}};
@@ -152,9 +175,13 @@ inline caf::behavior make_listener(listener_actor* self, int /*number*/) {
 
 class Session : public States {
 protected:
-  explicit Session(std::uint64_t version_budget = version_bytes)
+  explicit Session(std::uint64_t version_budget = version_bytes, const stored_document& stored = {})
       : session_versions_(std::make_shared<version_memory>(version_budget)) {
     helper_ = stage_.system().spawn(make_helper, cache_);
+    for (const auto& node : stored.nodes) {
+      helper().versions[to_hex(node.mesh->id())] = node.mesh;
+      cache_->put(*node.mesh);
+    }
     pages_ = stage_.system().spawn(make_page_store, cache_);
     hub_ = stage_.system().spawn(
       [this](int) {
@@ -173,7 +200,16 @@ protected:
     parts.results = session_results_;
     parts.versions = session_versions_;
     parts.reader = caf::actor_cast<job_thread_actor>(helper_);
-    session_ = stage_.system().spawn(make_session, parts, stored_document{});
+    parts.cad = caf::actor_cast<cad_editor_actor>(helper_);
+    begin(std::move(parts), stored);
+  }
+
+  /// The document is opened, by two.
+  void begin(session_parts parts, stored_document stored) {
+    for (std::uint32_t n = 0; n < stored.nodes.size(); ++n)
+      if (n != stored.head)
+        stored.nodes[n].mesh.reset();  // As `load_head` has it.
+    session_ = stage_.system().spawn(make_session, std::move(parts), std::move(stored));
     mine_ = listen();
     other_ = listen();
   }

@@ -404,6 +404,9 @@ class Document:
             self._take_head(body)
         elif kind == "load_cases_changed":
             self.load_cases = list(body.load_cases)
+        elif kind == "cad_state_changed":
+            if self.head and self.head.number == body.version.number:
+                self.head.cad.CopyFrom(body.version.cad)
         elif kind == "document_renamed":
             self.name = body.document
         return body

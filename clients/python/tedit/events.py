@@ -39,6 +39,7 @@ Event = typing.Union[
     session.SolveStatus,
     session.LoadCasesChanged,
     session.VersionAnnotated,
+    session.CadStateChanged,
     session.DocumentRenamed,
     SurfaceChanged,
     FieldArrived,

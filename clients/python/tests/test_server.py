@@ -2,12 +2,13 @@
 """The package against a real server and a real part."""
 import json
 import pathlib
+import subprocess
 import tempfile
 import threading
 import unittest
 
 import numpy as np
-from serving import LOAD_CASE, LOADS, MESH, Server
+from serving import LOAD_CASE, LOADS, MESH, PROGRAM, SOURCE, Server
 
 import tedit
 from tedit import errors
@@ -61,6 +62,32 @@ class Connecting(unittest.TestCase):
     def wait_for_nothing(self, part):
         with self.assertRaises(errors.ConnectionLost):
             part.wait_surface()
+
+
+CAD_EDITOR = pathlib.Path(PROGRAM).parent / "tedit-cad-editor"
+
+
+@unittest.skipUnless(CAD_EDITOR.exists(), "this build has no OpenCASCADE")
+class FromCad(unittest.TestCase):
+    def test_each_version_says_how_it_stands_on_the_cad_model(self):
+        with tempfile.TemporaryDirectory() as folder:
+            document = pathlib.Path(folder) / "block.tedit"
+            step = SOURCE / "tests/data/cad/inch_block.stp"
+            subprocess.run([PROGRAM, "import", str(step), "--size", "coarse", "-o", str(document)], check=True, stdout=subprocess.DEVNULL)
+            part = client.open(client.add_document(document, "from_cad"))
+        states = session.CadState
+        self.assertEqual(part.head.cad.status, states.SAME)
+        events = part.events(timeout=60)
+        self.assertEqual(part.edit("fill_hole", [8, 9]).head.cad.status, states.PENDING)
+        told = next(one for one in events if isinstance(one, session.CadStateChanged))
+        self.assertEqual((told.version.number, told.version.cad.status), (1, states.SAME))
+        self.assertLess(told.version.cad.deviation_m, 1e-9)
+        self.assertEqual(part.head.cad, told.version.cad)
+        part.edit("deform", [3], {"distance": 1e-3})
+        told = next(one for one in events if isinstance(one, session.CadStateChanged))
+        self.assertEqual(told.version.cad.status, states.MESH_ONLY)
+        self.assertIn("deform", told.version.cad.reason)
+        self.assertEqual([one.cad.status for one in part.history().versions], [states.SAME, states.SAME, states.MESH_ONLY])
 
 
 class Editing(unittest.TestCase):

@@ -416,6 +416,9 @@ export class Document {
         return { type: body.case, message: body.value };
       case "versionAnnotated":
         return { type: body.case, message: body.value };
+      case "cadStateChanged":
+        if (this.head && this.head.number === body.value.version?.number) this.head.cad = body.value.version.cad;
+        return { type: body.case, message: body.value };
       default:
         return undefined;
     }

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// A part from CAD on a server: its edits are made on the CAD model, too, and all hear what came of
+// it.
+#include <condition_variable>
+#include <mutex>
+
+#include "base/child_process.hpp"
+#include "tests/scenarios/served.hpp"
+
+namespace tedit::test {
+namespace {
+
+using client::cad_state;
+using client::cad_status;
+using ::testing::HasSubstr;
+
+/// What a client is told of versions on the CAD model.
+class told {
+public:
+  client::events handlers() {
+    client::events result;
+    result.on_cad = [this](const client::version_info& version) {
+      const std::lock_guard lock(mutex_);
+      all_.push_back(version);
+      came_.notify_all();
+    };
+    return result;
+  }
+  /// Nothing where it does not come.
+  std::optional<client::version_info> wait_for(std::uint32_t number) {
+    std::unique_lock lock(mutex_);
+    const auto found = [&] {
+      return std::ranges::find(all_, number, &client::version_info::number);
+    };
+    if (!came_.wait_for(lock, patience, [&] { return found() != all_.end(); }))
+      return std::nullopt;
+    return *found();
+  }
+  std::size_t count() {
+    const std::lock_guard lock(mutex_);
+    return all_.size();
+  }
+
+private:
+  std::mutex mutex_;
+  std::condition_variable came_;
+  std::vector<client::version_info> all_;
+};
+
+/// States by version, from the history.
+std::vector<std::optional<cad_state>> states_in(client::client& user) {
+  std::vector<std::optional<cad_state>> states;
+  for (const auto& one : value(user.get_history()).versions)
+    states.push_back(one.cad);
+  return states;
+}
+
+class CadOnAServer : public ::testing::Test {
+protected:
+  void SetUp() override {
+    if (!std::filesystem::exists(TEDIT_BIN "/tedit-cad-editor"))
+      GTEST_SKIP() << "this build has no OpenCASCADE";
+    std::filesystem::create_directories(documents());
+    value(run_child({TEDIT_BIN "/tedit", "import", TEDIT_TEST_DATA "/cad/inch_block.stp", "--size",
+                     "coarse", "-o", (documents() / "block.tedit").string()},
+                    {}, {patience, 0}, {}));
+  }
+  [[nodiscard]] std::filesystem::path documents() const { return folder_.path() / "documents"; }
+  server_options options() const {
+    auto result = options_for(folder_, false);
+    result.documents = documents();
+    return result;
+  }
+
+  const scratch_folder folder_;
+};
+
+/// The whole way: an edit that the model has, one that it cannot have, back, and another one beside
+/// it; and all of it again after the server was killed.
+TEST_F(CadOnAServer, EachVersionSaysHowItStandsOnTheModelAlsoAfterAKill) {
+  std::vector<std::optional<cad_state>> before;
+  {
+    told mine;
+    told others;
+    served host(folder_);
+    auto user = host.connect(mine.handlers());
+    auto other = host.connect(others.handlers());
+    value(user->open("block", false, false));
+    value(other->open("block", false, false));
+    const auto filled = value(user->edit("fill_hole", {8, 9}, {}, {}));
+    ASSERT_TRUE(filled.head.cad.has_value());
+    EXPECT_EQ(filled.head.cad->status, cad_status::pending) << "the answer does not wait for it";
+    const auto first = mine.wait_for(1);
+    ASSERT_TRUE(first && first->cad);
+    EXPECT_EQ(first->version_id, filled.head.version_id);
+    EXPECT_EQ(first->cad->status, cad_status::same) << first->cad->reason;
+    EXPECT_LT(first->cad->deviation_m, 1e-9);
+    EXPECT_EQ(others.wait_for(1)->cad, first->cad);
+
+    value(user->edit("deform", {3}, {{"distance", 1e-3}}, {}));
+    const auto second = mine.wait_for(2);
+    ASSERT_TRUE(second && second->cad);
+    EXPECT_EQ(second->cad->status, cad_status::mesh_only);
+    EXPECT_EQ(second->cad->reason, "the operation deform is not made on CAD models");
+    value(user->edit("improve_mesh", {}, {}, {}));
+    const auto third = mine.wait_for(3);
+    ASSERT_TRUE(third && third->cad);
+    EXPECT_EQ(third->cad->reason,
+              "version 2 (deform) is in the mesh only: the operation deform is not made on CAD "
+              "models");
+
+    value(user->go_to(1));
+    value(user->edit("thicken", {3}, {{"depth", 1e-3}}, {}));
+    const auto fourth = mine.wait_for(4);
+    ASSERT_TRUE(fourth && fourth->cad);
+    EXPECT_EQ(fourth->cad->status, cad_status::same) << fourth->cad->reason;
+    EXPECT_EQ(fourth->parent, 1U);
+    EXPECT_EQ(mine.count(), 4U) << "each is told once";
+    before = states_in(*user);
+    host.kill();
+  }
+  ASSERT_EQ(before.size(), 5U);
+  EXPECT_EQ(before[0]->status, cad_status::same);
+
+  served host(folder_);
+  auto user = host.connect();
+  value(user->open("block", false, false));
+  EXPECT_EQ(states_in(*user), before);
+}
+
+TEST_F(CadOnAServer, WhatAKillLeftOpenIsDoneWhenTheDocumentIsOpenedAgain) {
+  {
+    served host(folder_);
+    auto user = host.connect();
+    value(user->open("block", false, false));
+    value(user->edit("fill_hole", {8, 9}, {}, {}));
+    value(user->edit("thicken", {3}, {{"depth", 1e-3}}, {}));
+    host.kill();
+  }
+  told mine;
+  served host(folder_);
+  auto user = host.connect(mine.handlers());
+  const auto state = value(user->open("block", false, false));
+  ASSERT_TRUE(state.head && state.head->cad);
+
+  for (const auto deadline = std::chrono::steady_clock::now() + patience;
+       states_in(*user)[2]->status == cad_status::pending &&
+       std::chrono::steady_clock::now() < deadline;)
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+
+  const auto states = states_in(*user);
+  EXPECT_EQ(states[1]->status, cad_status::same) << states[1]->reason;
+  EXPECT_EQ(states[2]->status, cad_status::same) << states[2]->reason;
+  EXPECT_LE(mine.count(), 2U) << "of each version at most one event";
+}
+
+/// A server that has none, as its program was not built.
+TEST_F(CadOnAServer, WithoutItsProgramItSaysSoAndTheEditsGoOn) {
+  ::setenv("TEDIT_LIBEXEC", folder_.path().c_str(), 1);
+  told mine;
+  const auto host = start(options());
+  auto user = connect(host->url(), mine.handlers());
+  value(user->open("block", false, false));
+  value(user->edit("fill_hole", {8, 9}, {}, {}));
+  const auto first = mine.wait_for(1);
+  ::unsetenv("TEDIT_LIBEXEC");
+  ASSERT_TRUE(first && first->cad);
+  EXPECT_EQ(first->cad->status, cad_status::failed);
+  EXPECT_THAT(first->cad->reason, HasSubstr("tedit-cad-editor"));
+  const auto next = value(user->edit("thicken", {3}, {{"depth", 1e-3}}, {}));
+  ASSERT_TRUE(next.head.cad.has_value());
+  EXPECT_EQ(next.head.cad->status, cad_status::failed) << "it is not tried again and again";
+}
+
+TEST_F(CadOnAServer, AServerThatMakesNoneLeavesItToTheExport) {
+  auto without = options();
+  without.cad_jobs = 0;
+  const auto host = start(without);
+  auto user = connect(host->url());
+  value(user->open("block", false, false));
+  const auto edited = value(user->edit("fill_hole", {8, 9}, {}, {}));
+  EXPECT_FALSE(edited.head.cad.has_value());
+}
+
+}  // namespace
+}  // namespace tedit::test
