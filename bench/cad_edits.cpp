@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// bench_cad CAD_FILE MESH UNIT FEATURES.json [SEED]: edits of a part on its mesh and on its CAD
-// model. Each listed hole filled; both walls of each listed plate taken down and put on by 1 mm (or
-// a tenth of the plate); edges of random walls rounded, holes drilled into random flat walls, bores
-// resized; then all listed holes one after the other. The mesh's surfaces must be the CAD file's
+// bench_cad CAD_FILE MESH UNIT FEATURES.json [SEED [new]]: edits of a part on its mesh and on its
+// CAD model. Each listed hole filled; both walls of each listed plate taken down and put on by 1 mm
+// (or a tenth of the plate); edges of random walls rounded, holes drilled into random flat walls,
+// bores resized; holes moved, copied and mirrored, text, an SVG ring, a box from a file and ribs on
+// random flat walls, the part hollowed and cut in two; then all listed holes one after the other.
+// "new" after the seed: only what is in the line before. The mesh's surfaces must be the CAD file's
 // faces by their places. A line an edit: operation | surfaces | on the mesh | on the CAD model |
 // way | deviation mm | ms of both; then the reason, and a summary line an operation.
 #include <algorithm>
@@ -17,6 +19,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/attachment.hpp"
 #include "cad/import.hpp"
 #include "cad/replay.hpp"
 #include "edit/make_edit.hpp"
@@ -164,13 +167,137 @@ void run_random(cad_run& run, std::uint64_t seed) {
   }
 }
 
+std::string vector_text(vec3 v) {
+  char text[96];
+  std::snprintf(text, sizeof(text), "%.9g,%.9g,%.9g", v.x, v.y, v.z);
+  return text;
+}
+
+/// Each listed hole by its diameter along the wall around it, where it may be.
+void run_copies(cad_run& run, const nlohmann::json& features, std::mt19937_64& random) {
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const auto& mesh = *run.base().mesh;
+  for (const auto& hole : features["holes"]) {
+    const auto walls = ids_of(hole["surfaces"]);
+    const auto shape =
+      fit_wall(mesh, facets_of(mesh, std::array{walls.front()}), {1e-3, true, false});
+    if (!shape || shape->type != wall_shape::kind::cylinder)
+      continue;
+    const vec3 any{unit(random), unit(random), unit(random)};
+    const vec3 across = normalized(any - dot(any, shape->axis) * shape->axis);
+    const std::string near = vector_text(shape->radius * across);
+    const std::string far = vector_text(3 * shape->radius * across);
+    run.edit("move", run.base(), {"move", walls, {{"by", near}}, {}});
+    run.edit("move, a copy", run.base(), {"move", walls, {{"by", far}, {"copy", true}}, {}});
+    run.edit("pattern, mirrored", run.base(),
+             {"pattern",
+              walls,
+              {{"kind", std::string("mirror")},
+               {"at", vector_text(shape->point + 1.5 * shape->radius * across)},
+               {"direction", vector_text(across)}},
+              {}});
+  }
+}
+
+/// A box of that size as an OBJ in mm, its middle in the origin.
+std::string box_obj(double size) {
+  std::string text;
+  for (int i = 0; i < 8; ++i) {
+    char line[96];
+    std::snprintf(line, sizeof(line), "v %.9g %.9g %.9g\n", 1e3 * size * ((i & 1) - 0.5),
+                  1e3 * size * ((i >> 1 & 1) - 0.5), 1e3 * size * ((i >> 2 & 1) - 0.5));
+    text += line;
+  }
+  return text +
+         "f 1 3 4\nf 1 4 2\nf 5 6 8\nf 5 8 7\nf 1 2 6\nf 1 6 5\n"
+         "f 3 7 8\nf 3 8 4\nf 1 5 7\nf 1 7 3\nf 2 4 8\nf 2 8 6\n";
+}
+
+void run_tools(cad_run& run, const mesh_version& mesh, surface_id wall, const wall_shape& flat,
+               double least) {
+  const std::string ring =
+    "<svg xmlns='http://www.w3.org/2000/svg'><rect width='6' height='6'/>"
+    "<rect x='2' y='2' width='2' height='2'/></svg>";
+  for (const double height : {least / 80, -least / 80})
+    run.edit(height > 0 ? "emboss, raised" : "emboss, sunk", run.base(),
+             {"emboss",
+              {wall},
+              {{"text", std::string("A8")}, {"size", least / 12}, {"height", height}},
+              {}});
+  run.edit("pocket, an SVG ring", run.base(),
+           {"pocket",
+            {wall},
+            {{"profile", std::string("file")},
+             {"file", attachment_text({"ring.svg", ring})},
+             {"size", least / 10},
+             {"height", least / 30}},
+            {}});
+  const auto middle = ops::middle_of(mesh, wall);
+  for (const char* mode : {"add", "cut"})
+    if (middle)
+      run.edit(std::string("combine, ") + mode, run.base(),
+               {"combine",
+                {},
+                {{"file", attachment_text({"box.obj", box_obj(least / 10)})},
+                 {"mode", std::string(mode)},
+                 {"at", vector_text(middle->point)},
+                 {"direction", vector_text(flat.axis)}},
+                {}});
+}
+
+/// Between walls at an angle, where there is an inner corner: those that do not touch are refused.
+void run_ribs(cad_run& run, const std::vector<std::pair<surface_id, wall_shape>>& flats,
+              double least) {
+  int done = 0;
+  for (std::size_t i = 0; i < flats.size() && done < 10; ++i)
+    for (std::size_t k = i + 1; k < flats.size() && done < 10; ++k) {
+      const auto& [a, one] = flats[i];
+      const auto& [b, other] = flats[k];
+      const auto from = ops::middle_of(*run.base().mesh, a);
+      const auto to = ops::middle_of(*run.base().mesh, b);
+      // Each wall lies in front of the other one.
+      if (!from || !to || std::abs(dot(one.axis, other.axis)) > 0.5 ||
+          dot(to->point - from->point, one.axis) <= 0 ||
+          dot(from->point - to->point, other.axis) <= 0)
+        continue;
+      ++done;
+      run.edit("rib", run.base(),
+               {"rib", {a, b}, {{"thickness", least / 30}, {"size", least / 8}}, {}});
+    }
+}
+
+void run_features(cad_run& run, const nlohmann::json& features, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  const auto& mesh = *run.base().mesh;
+  const auto extent = ops::extent_of(mesh);
+  const vec3 size = extent.high - extent.low;
+  const double least = std::min({size.x, size.y, size.z});
+  run_copies(run, features, random);
+  std::vector<std::pair<surface_id, wall_shape>> flats;
+  for (const auto wall : random_walls(mesh, random))
+    if (const auto shape = fit_wall(mesh, facets_of(mesh, std::array{wall}), {1e-3, true, false});
+        shape && shape->type == wall_shape::kind::plane)
+      flats.emplace_back(wall, *shape);
+  for (std::size_t i = 0; i < flats.size() && i < 6; ++i)
+    run_tools(run, mesh, flats[i].first, flats[i].second, least);
+  run_ribs(run, flats, least);
+  run.edit("hollow", run.base(), {"hollow", {}, {{"thickness", least / 12}}, {}});
+  run.edit("plane_cut in two", run.base(),
+           {"plane_cut",
+            {},
+            {{"at", vector_text(0.5 * (extent.low + extent.high) + 0.01 * size)},
+             {"normal", std::string("0,0,1")},
+             {"keep", std::string("both")}},
+            {}});
+}
+
 }  // namespace
 }  // namespace tedit
 
 int main(int argc, char** argv) {
   using namespace tedit;
   if (argc < 5) {
-    std::fprintf(stderr, "usage: bench_cad CAD_FILE MESH UNIT FEATURES.json [SEED]\n");
+    std::fprintf(stderr, "usage: bench_cad CAD_FILE MESH UNIT FEATURES.json [SEED [new]]\n");
     return 2;
   }
   auto model = cad::read_model({argv[1], "medium", {}}, {});
@@ -182,10 +309,16 @@ int main(int argc, char** argv) {
   std::ifstream in(argv[4]);
   const auto features = nlohmann::json::parse(in);
   cad_run run({mesh->version, std::move(*model)});
+  const std::uint64_t seed = argc > 5 ? std::stoull(argv[5]) : 1;
+  run_features(run, features, seed);
+  if (argc > 6 && std::string(argv[6]) == "new") {
+    run.print_sums();
+    return 0;
+  }
   for (const auto& hole : features["holes"])
     run.edit("fill_hole", run.base(), {"fill_hole", ids_of(hole["surfaces"]), {}, {}});
   run_plates(run, features);
-  run_random(run, argc > 5 ? std::stoull(argv[5]) : 1);
+  run_random(run, seed);
   auto at = run.base();
   for (const auto& hole : features["holes"])
     at = run.edit("chain", at, {"fill_hole", ids_of(hole["surfaces"]), {}, {}});

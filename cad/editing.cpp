@@ -13,8 +13,47 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array<const char*, 7> kinds{"none", "remove", "shift", "round",
-                                           "cut",  "add",    "keep"};
+constexpr std::array<const char*, 10> kinds{"none", "remove", "shift", "round", "cut",
+                                            "add",  "keep",   "split", "copy",  "hollow"};
+
+json json_of(const exact_tool& tool) {
+  json outlines = json::array();
+  for (const auto& outline : tool.outlines) {
+    json corners = json::array();
+    for (const auto& c : outline)
+      corners.push_back({c.x, c.y, c.bulge});
+    outlines.push_back(std::move(corners));
+  }
+  return {{"frame", tool.frame},        {"outlines", std::move(outlines)},
+          {"from", tool.from},          {"to", tool.to},
+          {"section", tool.section},    {"points", tool.points},
+          {"triangles", tool.triangles}};
+}
+
+exact_tool tool_from(const json& from) {
+  exact_tool tool;
+  from.at("frame").get_to(tool.frame);
+  for (const auto& outline : from.at("outlines")) {
+    auto& corners = tool.outlines.emplace_back();
+    for (const auto& c : outline)
+      corners.push_back({c.at(0).get<double>(), c.at(1).get<double>(), c.at(2).get<double>()});
+  }
+  from.at("from").get_to(tool.from);
+  from.at("to").get_to(tool.to);
+  from.at("section").get_to(tool.section);
+  from.at("points").get_to(tool.points);
+  from.at("triangles").get_to(tool.triangles);
+  return tool;
+}
+
+bool is_in_range(const exact_tool& tool) {
+  const auto points = static_cast<int>(tool.points.size());
+  for (const auto& t : tool.triangles)
+    for (const int v : t)
+      if (v < 0 || v >= points)
+        return false;
+  return true;
+}
 
 bool write(const std::filesystem::path& file, const json& what) {
   std::ofstream out(file);
@@ -65,51 +104,54 @@ bool all_in_range(const edited_surface& surface) {
 }  // namespace
 
 bool save_step(const cad_step& step, const std::filesystem::path& folder) {
-  json outlines = json::array();
-  for (const auto& outline : step.tool.outlines) {
-    json corners = json::array();
-    for (const auto& c : outline)
-      corners.push_back({c.x, c.y, c.bulge});
-    outlines.push_back(std::move(corners));
-  }
+  json motions = json::array();
+  for (const auto& m : step.motions)
+    motions.push_back({{"columns", m.columns}, {"shift", m.shift}});
+  json drains = json::array();
+  for (const auto& drain : step.drains)
+    drains.push_back(json_of(drain));
   return write(folder / step_file, {{"kind", kinds[static_cast<std::size_t>(step.kind)]},
                                     {"surfaces", step.surfaces},
                                     {"distance", step.distance_mm},
                                     {"convex", step.convex},
-                                    {"frame", step.tool.frame},
-                                    {"outlines", std::move(outlines)},
-                                    {"from", step.tool.from},
-                                    {"to", step.tool.to},
-                                    {"section", step.tool.section},
+                                    {"tool", json_of(step.tool)},
+                                    {"motions", std::move(motions)},
+                                    {"leaves", step.leaves},
+                                    {"is_hole", step.is_hole},
+                                    {"edge", step.edge_mm},
+                                    {"drains", std::move(drains)},
                                     {"volume_change", step.volume_change_mm3},
                                     {"size", step.size_mm},
                                     {"bodies", step.bodies}});
 }
 
 expected<cad_step> load_step(const std::filesystem::path& folder) {
-  return read<cad_step>(folder / step_file, [](const json& from) {
+  auto loaded = read<cad_step>(folder / step_file, [](const json& from) {
     cad_step step;
     const auto kind = from.at("kind").get<std::string>();
     for (std::size_t i = 0; i < kinds.size(); ++i)
       if (kind == kinds[i])
         step.kind = static_cast<step_kind>(i);
-    step.surfaces = from.at("surfaces").get<std::vector<int>>();
-    step.distance_mm = from.at("distance").get<double>();
-    step.convex = from.at("convex").get<bool>();
-    step.tool.frame = from.at("frame").get<decltype(step.tool.frame)>();
-    for (const auto& outline : from.at("outlines")) {
-      auto& corners = step.tool.outlines.emplace_back();
-      for (const auto& c : outline)
-        corners.push_back({c.at(0).get<double>(), c.at(1).get<double>(), c.at(2).get<double>()});
-    }
-    step.tool.from = from.at("from").get<double>();
-    step.tool.to = from.at("to").get<double>();
-    step.tool.section = from.at("section").get<decltype(step.tool.section)>();
-    step.volume_change_mm3 = from.at("volume_change").get<double>();
-    step.size_mm = from.at("size").get<double>();
-    step.bodies = from.at("bodies").get<std::size_t>();
+    from.at("surfaces").get_to(step.surfaces);
+    from.at("distance").get_to(step.distance_mm);
+    from.at("convex").get_to(step.convex);
+    step.tool = tool_from(from.at("tool"));
+    for (const auto& m : from.at("motions"))
+      step.motions.push_back({m.at("columns").get<decltype(step_motion::columns)>(),
+                              m.at("shift").get<decltype(step_motion::shift)>()});
+    from.at("leaves").get_to(step.leaves);
+    from.at("is_hole").get_to(step.is_hole);
+    from.at("edge").get_to(step.edge_mm);
+    for (const auto& drain : from.at("drains"))
+      step.drains.push_back(tool_from(drain));
+    from.at("volume_change").get_to(step.volume_change_mm3);
+    from.at("size").get_to(step.size_mm);
+    from.at("bodies").get_to(step.bodies);
     return step;
   });
+  if (loaded && !is_in_range(loaded->tool))
+    return fail(ec::internal, "the tool in the edit's folder is damaged", "Try again");
+  return loaded;
 }
 
 bool save_surface(const edited_surface& surface, const std::filesystem::path& folder) {

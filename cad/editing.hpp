@@ -27,7 +27,10 @@ enum class step_kind {
   round,   ///< The edges between the surfaces get the radius `distance_mm`.
   cut,     ///< The tool is taken off.
   add,     ///< The tool is united with the part.
-  keep     ///< What part and tool share stays.
+  keep,    ///< What part and tool share stays.
+  split,   ///< Both sides of the tool's end at `to`, as solids of their own.
+  copy,    ///< The hole or boss that the surfaces are is made again where motions bring it.
+  hollow   ///< What is deeper than `distance_mm` below the walls goes; the surfaces are open.
 };
 
 /// A corner of a closed outline; the edge to the next one is straight, or an arc that turns by four
@@ -38,13 +41,22 @@ struct outline_corner {
   double bulge = 0;
 };
 
-/// A tool by its exact shape: outlines along z, or a half-section turned about z.
+/// A tool by its exact shape: outlines along z, a half-section turned about z, or flat triangles.
 struct exact_tool {
   std::array<std::array<double, 3>, 4> frame{};       ///< Origin, x, y, z.
-  std::vector<std::vector<outline_corner>> outlines;  ///< None lies in another one.
+  std::vector<std::vector<outline_corner>> outlines;  ///< Even-odd filled; arcs in a single one.
   double from = 0;                                    ///< Of the outlines, along z.
   double to = 0;
   std::vector<std::array<double, 2>> section;  ///< Radius and height; first and last on the axis.
+  std::vector<std::array<double, 3>> points;   ///< Of the triangles: not in the frame.
+  std::vector<std::array<int, 3>> triangles;   ///< Closed, looking outward.
+};
+
+/// p goes to the sum of its coordinates times the columns, plus the shift: a rigid motion, or a
+/// reflection.
+struct step_motion {
+  std::array<std::array<double, 3>, 3> columns{};
+  std::array<double, 3> shift{};
 };
 
 /// An edit as it is to be made on the B-rep.
@@ -54,6 +66,11 @@ struct cad_step {
   double distance_mm = 0;
   bool convex = false;  ///< Of `round`: outer edges, else inner ones.
   exact_tool tool;
+  std::vector<step_motion> motions;  ///< Of `copy`.
+  bool leaves = false;               ///< Of `copy`: the one that was there goes.
+  bool is_hole = false;              ///< Of `copy`: else a boss.
+  double edge_mm = 0;                ///< Of `copy`: the mesh's mean edge there.
+  std::vector<exact_tool> drains;    ///< Of `hollow`: taken off, too.
   // What the edit made of the mesh, to compare with.
   double volume_change_mm3 = 0;
   double size_mm = 0;      ///< The part's: the diagonal of its box.

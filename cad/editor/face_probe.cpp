@@ -103,6 +103,20 @@ double face_probe::distance_of_surface(const gp_Pnt& point) {
   return project(point, u, v) ? surface_->Value(u, v).Distance(point) : 1e300;
 }
 
+gp_Vec face_probe::outward_at(const gp_Pnt& point) {
+  open();
+  double u = 0;
+  double v = 0;
+  if (!project(point, u, v))
+    return {};
+  gp_Pnt at;
+  gp_Vec along_u;
+  gp_Vec along_v;
+  surface_->D1(u, v, at, along_u, along_v);
+  const auto normal = along_u.Crossed(along_v);
+  return face_.Orientation() == TopAbs_REVERSED ? normal.Reversed() : normal;
+}
+
 face_probe::finding face_probe::operator()(const gp_Pnt& point, double at_most) {
   finding result;
   result.distance = at_most;

@@ -9,6 +9,7 @@
 #include <GeomAPI_ProjectPointOnSurf.hxx>
 #include <TopoDS_Face.hxx>
 #include <gp_Pnt.hxx>
+#include <gp_Vec.hxx>
 
 namespace tedit::cad {
 
@@ -33,6 +34,9 @@ public:
 
   /// mm: of the surface that the face is a piece of.
   [[nodiscard]] double distance_of_surface(const gp_Pnt& point);
+
+  /// Out of the material, at the point of the surface below `point`; null where that is none.
+  [[nodiscard]] gp_Vec outward_at(const gp_Pnt& point);
 
 private:
   void open();

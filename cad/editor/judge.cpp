@@ -84,7 +84,7 @@ public:
 private:
   void check_validity() {
     const auto solids = solids_of(result_.part.shape);
-    if (solids.size() != before_.facts.solids.size())
+    if (solids.size() != before_.facts.solids.size() && step_.kind != step_kind::split)
       result_.fault = "it has " + std::to_string(solids.size()) + " solids, the model before " +
                       std::to_string(before_.facts.solids.size());
     else if (solids.size() != step_.bodies)
@@ -127,9 +127,15 @@ private:
     const std::size_t step = std::max<std::size_t>(1, inside.size() / few);
     const double near = 100 * tolerance_;  // What was repaired at import may be off a little.
     for (std::size_t k = 0; k < inside.size(); k += step)
-      if (lies_on(corners(inside[k]), face, near))
+      if (lies_on(corners(inside[k]), face, near) && may_be_of(corners(inside[k]), face))
         return true;
     return false;
+  }
+
+  /// Where a part is split two faces lie in one place: they look away from each other.
+  [[nodiscard]] bool may_be_of(const triangle& t, face_probe& face) const {
+    return step_.kind != step_kind::split ||
+           gp_Vec(t[0], t[1]).Crossed(gp_Vec(t[0], t[2])).Dot(face.outward_at(middle_of(t))) > 0;
   }
 
   /// A row of facts for each face: what was known of it, or what the mesh says it is.
@@ -187,7 +193,7 @@ private:
         one.Add(corner);
       one.Enlarge(0.5 * longest_edge(corners(i)));
       if (mesh_.triangles[i][4] != triangle_gone && !probe.extent().IsOut(one) &&
-          is_piece_of(corners(i), probe))
+          is_piece_of(corners(i), probe) && may_be_of(corners(i), probe))
         pieces.push_back(i);
     }
     std::set<int> ids;
@@ -346,9 +352,42 @@ private:
     }
   }
 
+  /// The surfaces of each solid.
+  static std::vector<std::set<int>> surfaces_of_solids(const part_model& part) {
+    std::vector<std::set<int>> result;
+    for (const auto& solid : solids_of(part.shape)) {
+      auto& ids = result.emplace_back();
+      for (TopExp_Explorer faces(solid, TopAbs_FACE); faces.More(); faces.Next())
+        if (const auto i = part.faces.FindIndex(faces.Current()); i > 0)
+          for (const int id : part.facts.faces[static_cast<std::size_t>(i - 1)].ids)
+            ids.insert(id);
+    }
+    return result;
+  }
+
+  /// A piece is called as the solid that it has most of its surfaces of.
+  void name_pieces() {
+    const auto old = surfaces_of_solids(before_);
+    result_.part.facts.solids.clear();
+    for (const auto& ids : surfaces_of_solids(result_.part)) {
+      std::size_t best = 0;
+      std::ptrdiff_t most = -1;
+      for (std::size_t i = 0; i < old.size(); ++i)
+        if (const auto shared =
+              std::ranges::count_if(ids, [&](int id) { return old[i].contains(id); });
+            shared > most) {
+          most = shared;
+          best = i;
+        }
+      result_.part.facts.solids.push_back(before_.facts.solids.at(best));
+    }
+  }
+
   /// Each way leaves the solids in their order, with their names.
   void measure_solids() {
     const auto solids = solids_of(result_.part.shape);
+    if (solids.size() != before_.facts.solids.size())
+      name_pieces();
     for (std::size_t i = 0; i < solids.size(); ++i) {
       auto& row = result_.part.facts.solids[i];
       row.area_mm2 = cad::area_of(solids[i]);

@@ -13,29 +13,17 @@
 #include <ShapeAnalysis_FreeBounds.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
-#include <TopTools_DataMapOfShapeShape.hxx>
 #include <TopTools_HSequenceOfShape.hxx>
-#include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Shell.hxx>
 
-#include "cad/editor/ways.hpp"
+#include "cad/editor/feature.hpp"
 
 namespace tedit::cad {
 
-namespace {
-
-/// Faces that go, and what of their edges belongs to faces that stay.
-struct feature {
-  std::vector<TopoDS_Face> faces;
-  TopTools_MapOfShape gone;
-  TopTools_MapOfShape rim;                  ///< Edges.
-  TopTools_DataMapOfShapeShape neighbours;  ///< Rim edge to the face that stays.
-};
-
-feature feature_of(const part_model& part, const cad_step& step) {
+feature feature_of(const part_model& part, const std::vector<int>& surfaces) {
   feature result;
-  result.faces = part.faces_of(step.surfaces);
+  result.faces = part.faces_of(surfaces);
   for (const auto& face : result.faces)
     result.gone.Add(face);
   const auto at = faces_at_edges(part.shape);
@@ -54,6 +42,8 @@ feature feature_of(const part_model& part, const cad_step& step) {
   }
   return result;
 }
+
+namespace {
 
 bool touches(const TopoDS_Shape& shape, const TopTools_MapOfShape& edges) {
   for (TopExp_Explorer all(shape, TopAbs_EDGE); all.More(); all.Next())
@@ -131,8 +121,10 @@ TopoDS_Face cap_of(const TopoDS_Wire& loop, const feature& what) {
   return on.IsDone() ? on.Face() : TopoDS_Face();
 }
 
-/// The solid that the faces enclose with caps on their rim; null where it cannot be closed.
-TopoDS_Shape plug_of(const feature& what) {
+}  // namespace
+
+plug plug_of(const feature& what) {
+  plug result;
   Handle(TopTools_HSequenceOfShape) edges = new TopTools_HSequenceOfShape;
   for (TopTools_MapOfShape::Iterator edge(what.rim); edge.More(); edge.Next())
     edges->Append(edge.Value());
@@ -146,6 +138,7 @@ TopoDS_Shape plug_of(const feature& what) {
     const auto cap = cap_of(TopoDS::Wire(loop), what);
     if (cap.IsNull())
       return {};
+    result.caps.push_back(cap);
     sewing.Add(cap);
   }
   sewing.Perform();
@@ -157,10 +150,12 @@ TopoDS_Shape plug_of(const feature& what) {
     BRepLib::OrientClosedSolid(solid);
     solids.push_back(solid);
   }
-  return solids.size() == 1 ? solids.front()
-         : solids.empty()   ? TopoDS_Shape()
-                            : compound_of(solids);
+  if (!solids.empty())
+    result.solids = solids.size() == 1 ? solids.front() : compound_of(solids);
+  return result;
 }
+
+namespace {
 
 bool owns_some(const TopoDS_Shape& solid, const feature& what) {
   for (TopExp_Explorer faces(solid, TopAbs_FACE); faces.More(); faces.Next())
@@ -181,15 +176,15 @@ TopoDS_Shape defeatured(const part_model& part, const feature& what) {
 
 }  // namespace
 
-std::vector<way> ways_to_remove(const part_model& part, const cad_step& step) {
-  const auto what = std::make_shared<feature>(feature_of(part, step));
+std::vector<way> ways_to_remove(const part_model& part, const std::vector<int>& surfaces,
+                                body_operation operation) {
+  const auto what = std::make_shared<feature>(feature_of(part, surfaces));
   if (what->faces.empty())
     return {};
-  const auto operation = step.volume_change_mm3 > 0 ? body_operation::add : body_operation::cut;
   return {{"outlines dropped", [&part, what] { return drop_outlines(part, *what); }},
           {"plug",
            [&part, what, operation] {
-             const auto plug = plug_of(*what);
+             const auto plug = plug_of(*what).solids;
              if (plug.IsNull())
                return TopoDS_Shape();
              return combined(part, {plug}, operation,

@@ -19,18 +19,38 @@ struct way {
 [[nodiscard]] std::vector<way> ways_of(const part_model& part, const cad_step& step);
 
 // Those of each kind; the part must outlive them.
-[[nodiscard]] std::vector<way> ways_to_remove(const part_model& part, const cad_step& step);
+[[nodiscard]] std::vector<way> ways_to_copy(const part_model& part, const cad_step& step);
+[[nodiscard]] std::vector<way> ways_to_hollow(const part_model& part, const cad_step& step);
 [[nodiscard]] std::vector<way> ways_to_shift(const part_model& part, const cad_step& step);
 [[nodiscard]] std::vector<way> ways_to_round(const part_model& part, const cad_step& step);
 [[nodiscard]] std::vector<way> ways_with_tool(const part_model& part, const cad_step& step);
 
 enum class body_operation { cut, add, keep };
 
+/// Takes a hole's or a boss's faces away; the operation is what its body is closed or cut off with.
+[[nodiscard]] std::vector<way> ways_to_remove(const part_model& part,
+                                              const std::vector<int>& surfaces,
+                                              body_operation operation);
+
+/// The solids of a tool: outlines extruded, a section turned, or triangles. Throws a
+/// Standard_Failure, or gives none, where there is no such solid.
+[[nodiscard]] std::vector<TopoDS_Shape> solids_of_tool(const exact_tool& tool);
+
+/// A closed surface of flat triangles; those in one plane become one face where that works.
+[[nodiscard]] std::vector<TopoDS_Shape> faceted(const exact_tool& tool);
+
+/// Edges between two faces of one tool that run on into each other.
+enum class tool_edges {
+  go,   ///< As all that booleans draw across a face.
+  stay  ///< They part surfaces that have ids of their own.
+};
+
 /// The operation on each solid that `concerns` (all where it is empty), others as they are. Edges
 /// that it draws across a face are taken out again where that works. Null where it fails.
 [[nodiscard]] TopoDS_Shape combined(
   const part_model& part, const std::vector<TopoDS_Shape>& tools, body_operation operation,
-  const std::function<bool(const TopoDS_Shape& solid)>& concerns = {});
+  const std::function<bool(const TopoDS_Shape& solid)>& concerns = {},
+  tool_edges edges = tool_edges::go);
 
 /// The solids of a shape.
 [[nodiscard]] std::vector<TopoDS_Shape> solids_of(const TopoDS_Shape& shape);

@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "base/number_range.hpp"
+#include "base/units.hpp"
+#include "ops/combine/surface_file.hpp"
 #include "ops/tools/placement.hpp"
 
 namespace tedit::ops {
@@ -125,13 +127,46 @@ constexpr std::size_t most_divided = 400'000;
 
 }  // namespace
 
+expected<combine_order> combine_order_of(const parameters& values) {
+  const auto& text = std::get<std::string>(values.at("file"));
+  if (text.empty())
+    return fail(ec::invalid_parameter, "no file was given", "Choose one: file=PATH");
+  const auto file = read_attachment(text);
+  if (!file)
+    return fail(file.error());
+  auto surface = read_surface(*file);
+  if (!surface)
+    return fail(surface.error());
+  const auto unit = metres_per_unit(std::get<std::string>(values.at("unit")));
+  if (!unit)
+    return fail(unit.error());
+  combine_settings settings;
+  const auto& mode = std::get<std::string>(values.at("mode"));
+  settings.mode = mode == "add"   ? boolean_mode::add
+                  : mode == "cut" ? boolean_mode::cut
+                                  : boolean_mode::keep;
+  settings.unit = *unit;
+  settings.scale = std::get<double>(values.at("scale"));
+  settings.at = vector_of(values, "at").value_or(vec3{});
+  settings.direction = vector_of(values, "direction").value_or(vec3{0, 0, 1});
+  settings.turn = std::get<double>(values.at("turn"));
+  return combine_order{std::move(*surface), settings};
+}
+
+std::vector<vec3> placed_points(const tool_surface& surface, const combine_settings& settings) {
+  const auto place = frame_of(settings);
+  const double scale = settings.unit * settings.scale;
+  std::vector<vec3> points;
+  points.reserve(surface.points.size());
+  for (const auto& p : surface.points)
+    points.push_back(place.at(scale * p.x, scale * p.y, scale * p.z));
+  return points;
+}
+
 expected<edit_result> combine(const version_ptr& mesh, tool_surface surface,
                               const combine_settings& settings,
                               const std::vector<surface_id>& picked, context& ctx) {
-  const auto place = frame_of(settings);
-  const double scale = settings.unit * settings.scale;
-  for (auto& p : surface.points)
-    p = place.at(scale * p.x, scale * p.y, scale * p.z);
+  surface.points = placed_points(surface, settings);
   box extent;
   for (const auto& p : surface.points)
     extent.add(p);

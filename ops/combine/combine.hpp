@@ -15,6 +15,19 @@ struct combine_settings {
   double turn = 0;          ///< rad, about that.
 };
 
+/// What the parameters of the operation ask for.
+struct combine_order {
+  tool_surface surface;  ///< Of the file, in its unit and its axes.
+  combine_settings settings;
+};
+
+/// Errors: `invalid_parameter` without a file; those of `read_attachment` and of `read_surface`.
+[[nodiscard]] expected<combine_order> combine_order_of(const parameters& values);
+
+/// Where a file's surface comes to lie, m.
+[[nodiscard]] std::vector<vec3> placed_points(const tool_surface& surface,
+                                              const combine_settings& settings);
+
 /// The surface (in the file's unit, `read_surface`) united with the part, cut from it, or what both
 /// have in common. Errors: `empty_selection`, `invalid_argument` and the others of
 /// `services::boolean`.

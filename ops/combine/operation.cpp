@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <numbers>
 
-#include "base/units.hpp"
 #include "ops/combine/combine.hpp"
-#include "ops/combine/surface_file.hpp"
 
 namespace {
 
@@ -105,29 +103,10 @@ public:
   expected<ops::edit_result> apply(const version_ptr& mesh, const ops::selection& picked,
                                    const ops::parameters& values,
                                    ops::context& ctx) const override {
-    const auto& text = std::get<std::string>(values.at("file"));
-    if (text.empty())
-      return fail(ec::invalid_parameter, "no file was given", "Choose one: file=PATH");
-    const auto file = read_attachment(text);
-    if (!file)
-      return fail(file.error());
-    auto surface = ops::read_surface(*file);
-    if (!surface)
-      return fail(surface.error());
-    const auto unit = metres_per_unit(std::get<std::string>(values.at("unit")));
-    if (!unit)
-      return fail(unit.error());
-    ops::combine_settings settings;
-    const auto& mode = std::get<std::string>(values.at("mode"));
-    settings.mode = mode == "add"   ? ops::boolean_mode::add
-                    : mode == "cut" ? ops::boolean_mode::cut
-                                    : ops::boolean_mode::keep;
-    settings.unit = *unit;
-    settings.scale = std::get<double>(values.at("scale"));
-    settings.at = ops::vector_of(values, "at").value_or(vec3{});
-    settings.direction = ops::vector_of(values, "direction").value_or(vec3{0, 0, 1});
-    settings.turn = std::get<double>(values.at("turn"));
-    return ops::combine(mesh, std::move(*surface), settings, ops::as_set(picked), ctx);
+    auto order = ops::combine_order_of(values);
+    if (!order)
+      return fail(order.error());
+    return ops::combine(mesh, std::move(order->surface), order->settings, ops::as_set(picked), ctx);
   }
 };
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesh/features/wall_shape.hpp"
 #include "ops/emboss/text_outlines.hpp"
 #include "ops/shapes/outlines/svg_outlines.hpp"
 #include "ops/tools/profiles.hpp"
@@ -71,12 +70,12 @@ expected<letter_reach> around(const wall_shape& round, const placement& where,
 }
 
 /// Bends what stands on the plane that touches the cylinder at the place around it.
-void wrap(const wall_shape& round, const placement& where, tool_surface& tool) {
-  const vec3 normal = round.normal(where.at);
+void wrap(const wall_shape& round, const frame& place, tool_surface& tool) {
+  const vec3 normal = round.normal(place.origin);
   const vec3 across = cross(round.axis, normal);
-  const vec3 foot = where.at - round.side * round.radius * normal;  // On the axis.
+  const vec3 foot = place.origin - round.side * round.radius * normal;  // On the axis.
   for (auto& p : tool.points) {
-    const vec3 d = p - where.at;
+    const vec3 d = p - place.origin;
     const double angle = round.side * dot(d, across) / round.radius;
     const double height = round.radius + round.side * dot(d, normal);
     p = foot + dot(d, round.axis) * round.axis +
@@ -86,38 +85,77 @@ void wrap(const wall_shape& round, const placement& where, tool_surface& tool) {
 
 }  // namespace
 
-expected<edit_result> emboss(const version_ptr& mesh, const placement& where,
-                             const emboss_text& what, const std::vector<surface_id>& picked,
-                             context& ctx) {
+expected<emboss_order> emboss_order_of(const mesh_version& mesh, const selection& picked,
+                                       const parameters& values) {
+  emboss_order order;
+  auto& what = order.what;
+  what.text = std::get<std::string>(values.at("text"));
+  what.font = std::get<std::string>(values.at("font"));
+  what.letter_height = std::get<double>(values.at("size"));
+  what.height = std::get<double>(values.at("height"));
+  what.wraps = std::get<bool>(values.at("wrap"));
+  if (const auto& logo = std::get<std::string>(values.at("file")); !logo.empty()) {
+    auto file = read_attachment(logo);
+    if (!file)
+      return fail(file.error());
+    what.logo = std::move(*file);
+  }
+  if (what.text.size() > 200)
+    return fail(ec::invalid_parameter, "the text is longer than 200 bytes", "Give a shorter one");
+  auto where = placement_of(mesh, picked, values, "direction", 2 * what.letter_height);
+  if (!where)
+    return fail(where.error());
+  order.where = *where;
+  what.up = vector_of(values, "up").value_or(text_up(where->outward));
+  return order;
+}
+
+expected<emboss_shape> emboss_shape_of(const mesh_version& mesh, const placement& where,
+                                       const emboss_text& what,
+                                       const std::vector<surface_id>& picked) {
   if (what.height == 0)
     return fail(ec::invalid_parameter, "letters of no height are none",
                 "Give a height; a negative one is sunk");
+  emboss_shape shape;
   // Strokes are about an eighth of a capital wide.
-  const double edge = std::min(where.size, what.letter_height / (what.logo ? 24 : 8));
-  if (auto ok = check_fineness(where, edge, std::abs(what.height)); !ok)
+  shape.edge = std::min(where.size, what.letter_height / (what.logo ? 24 : 8));
+  if (auto ok = check_fineness(where, shape.edge, std::abs(what.height)); !ok)
     return fail(ok.error());
-  const auto outlines = outlines_of(what, edge);
+  auto outlines = outlines_of(what, shape.edge);
   if (!outlines)
     return fail(outlines.error());
-  const bool raised = what.height > 0;
-  const auto round = what.wraps ? round_wall(*mesh, picked) : std::nullopt;
+  shape.outlines = std::move(*outlines);
+  shape.round = what.wraps ? round_wall(mesh, picked) : std::nullopt;
   placement on = where;
-  if (round) {
-    on.at = round->project(where.at);
-    on.outward = round->normal(where.at);
+  if (shape.round) {
+    on.at = shape.round->project(where.at);
+    on.outward = shape.round->normal(where.at);
   }
-  const auto reach = round ? around(*round, where, what, edge)
-                           : straight(*mesh, where, what, radius_of(*outlines), edge);
+  const auto reach = shape.round
+                       ? around(*shape.round, where, what, shape.edge)
+                       : straight(mesh, where, what, radius_of(shape.outlines), shape.edge);
   if (!reach)
     return fail(reach.error());
-  auto tool = extrude(make_frame(on.at, on.outward, what.up), *outlines, reach->from, reach->to,
-                      edge, what.logo ? "logo" : "text", *ctx.host);
+  shape.place = make_frame(on.at, on.outward, what.up);
+  shape.from = reach->from;
+  shape.to = reach->to;
+  return shape;
+}
+
+expected<edit_result> emboss(const version_ptr& mesh, const placement& where,
+                             const emboss_text& what, const std::vector<surface_id>& picked,
+                             context& ctx) {
+  const auto shape = emboss_shape_of(*mesh, where, what, picked);
+  if (!shape)
+    return fail(shape.error());
+  auto tool = extrude(shape->place, shape->outlines, shape->from, shape->to, shape->edge,
+                      what.logo ? "logo" : "text", *ctx.host);
   if (!tool)
     return fail(tool.error());
-  if (round)
-    wrap(*round, on, *tool);
-  return apply_tool(mesh, *tool, raised ? boolean_mode::add : boolean_mode::cut, where.size, picked,
-                    ctx);
+  if (shape->round)
+    wrap(*shape->round, shape->place, *tool);
+  return apply_tool(mesh, *tool, what.height > 0 ? boolean_mode::add : boolean_mode::cut,
+                    where.size, picked, ctx);
 }
 
 }  // namespace tedit::ops

@@ -77,29 +77,10 @@ public:
   expected<ops::edit_result> apply(const version_ptr& mesh, const ops::selection& picked,
                                    const ops::parameters& values,
                                    ops::context& ctx) const override {
-    ops::emboss_text what;
-    what.text = std::get<std::string>(values.at("text"));
-    what.font = std::get<std::string>(values.at("font"));
-    what.letter_height = std::get<double>(values.at("size"));
-    what.height = std::get<double>(values.at("height"));
-    what.wraps = std::get<bool>(values.at("wrap"));
-    if (const auto& logo = std::get<std::string>(values.at("file")); !logo.empty()) {
-      auto file = read_attachment(logo);
-      if (!file)
-        return fail(file.error());
-      what.logo = std::move(*file);
-    }
-    if (what.text.size() > 200)
-      return fail(ec::invalid_parameter, "the text is longer than 200 bytes", "Give a shorter one");
-    const auto where =
-      ops::placement_of(*mesh, picked, values, "direction", 2 * what.letter_height);
-    if (!where)
-      return fail(where.error());
-    if (const auto up = ops::vector_of(values, "up"))
-      what.up = *up;
-    else
-      what.up = ops::text_up(where->outward);
-    return ops::emboss(mesh, *where, what, ops::as_set(picked), ctx);
+    const auto order = ops::emboss_order_of(*mesh, picked, values);
+    if (!order)
+      return fail(order.error());
+    return ops::emboss(mesh, order->where, order->what, ops::as_set(picked), ctx);
   }
 };
 

@@ -75,21 +75,6 @@ std::vector<ops::parameter_description> pattern_parameters() {
   return list;
 }
 
-expected<std::vector<ops::motion>> motions_of(const ops::parameters& values) {
-  const auto number = [&](const char* id) {
-    return static_cast<int>(std::get<std::int64_t>(values.at(id)));
-  };
-  const auto vector = [&](const char* id) { return ops::vector_of(values, id).value_or(vec3{}); };
-  const auto& kind = std::get<std::string>(values.at("kind"));
-  if (kind == "rows")
-    return ops::grid_motions({number("count"), vector("step"), number("rows"), vector("row_step")});
-  const vec3 direction = normalized(vector("direction"));
-  if (kind == "ring")
-    return ops::ring_motions(vector("at"), direction, number("count"),
-                             std::get<double>(values.at("angle")));
-  return std::vector{ops::mirror_in(vector("at"), direction)};
-}
-
 class pattern_operation final : public ops::operation {
 public:
   ops::operation_description describe() const override {
@@ -113,7 +98,7 @@ public:
   expected<ops::edit_result> apply(const version_ptr& mesh, const ops::selection& picked,
                                    const ops::parameters& values,
                                    ops::context& ctx) const override {
-    const auto motions = motions_of(values);
+    const auto motions = ops::pattern_motions(values);
     if (!motions)
       return fail(motions.error());
     return ops::repeat_features(mesh, ops::as_set(picked), *motions, ctx);

@@ -54,6 +54,21 @@ expected<std::vector<motion>> ring_motions(vec3 point, vec3 axis, int count, dou
   return result;
 }
 
+expected<std::vector<motion>> pattern_motions(const parameters& values) {
+  const auto number = [&](const char* id) {
+    return static_cast<int>(std::get<std::int64_t>(values.at(id)));
+  };
+  const auto vector = [&](const char* id) { return vector_of(values, id).value_or(vec3{}); };
+  const auto& kind = std::get<std::string>(values.at("kind"));
+  if (kind == "rows")
+    return grid_motions({number("count"), vector("step"), number("rows"), vector("row_step")});
+  const vec3 direction = normalized(vector("direction"));
+  if (kind == "ring")
+    return ring_motions(vector("at"), direction, number("count"),
+                        std::get<double>(values.at("angle")));
+  return std::vector{mirror_in(vector("at"), direction)};
+}
+
 expected<edit_result> repeat_features(const version_ptr& mesh,
                                       const std::vector<surface_id>& picked,
                                       const std::vector<motion>& motions, context& ctx) {

@@ -23,6 +23,9 @@ struct grid_pattern {
 [[nodiscard]] expected<std::vector<motion>> ring_motions(vec3 point, vec3 axis, int count,
                                                          double angle);
 
+/// Those that the parameters of the operation ask for. Errors: as above.
+[[nodiscard]] expected<std::vector<motion>> pattern_motions(const parameters& values);
+
 /// Copies the holes or bosses that the surfaces belong to. Errors: those of `pick_features` and of
 /// `place_copies`.
 [[nodiscard]] expected<edit_result> repeat_features(const version_ptr& mesh,

@@ -47,10 +47,7 @@ public:
   expected<ops::edit_result> apply(const version_ptr& mesh, const ops::selection& picked,
                                    const ops::parameters& values,
                                    ops::context& ctx) const override {
-    const ops::rib_shape shape{std::get<double>(values.at("thickness")),
-                               std::get<double>(values.at("size")), ops::vector_of(values, "at"),
-                               ops::vector_of(values, "direction")};
-    return ops::add_rib(mesh, ops::as_set(picked), shape, ctx);
+    return ops::add_rib(mesh, ops::as_set(picked), ops::rib_shape_of(values), ctx);
   }
 };
 

@@ -6,7 +6,6 @@
 
 #include "mesh/features/wall_shape.hpp"
 #include "ops/tools/placement.hpp"
-#include "ops/tools/tools.hpp"
 
 namespace tedit::ops {
 
@@ -130,21 +129,35 @@ expected<flat_rib> outline_of(const wall_plane& a, const wall_plane& b, const ri
 
 }  // namespace
 
-expected<edit_result> add_rib(const version_ptr& mesh, const std::vector<surface_id>& walls,
-                              const rib_shape& shape, context& ctx) {
+rib_shape rib_shape_of(const parameters& values) {
+  return {std::get<double>(values.at("thickness")), std::get<double>(values.at("size")),
+          vector_of(values, "at"), vector_of(values, "direction")};
+}
+
+expected<rib_prism> rib_prism_of(const mesh_version& mesh, const std::vector<surface_id>& walls,
+                                 const rib_shape& shape) {
   if (walls.size() != 2)
     return fail(ec::invalid_argument, "a rib stands between two walls", "Pick two walls");
-  const auto a = plane_of(*mesh, walls[0], shape.at);
-  const auto b = plane_of(*mesh, walls[1], shape.at);
+  const auto a = plane_of(mesh, walls[0], shape.at);
+  const auto b = plane_of(mesh, walls[1], shape.at);
   if (!a || !b)
     return fail(a ? b.error() : a.error());
   box near;
   near.add(shape.at.value_or(0.5 * (a->point + b->point)));
-  const double local = local_size(*mesh, near.grown(shape.size));
+  const double local = local_size(mesh, near.grown(shape.size));
   const double into = 0.2 * local;
-  const auto rib = outline_of(*a, *b, shape, {a->flat ? 0 : into, b->flat ? 0 : into});
+  auto rib = outline_of(*a, *b, shape, {a->flat ? 0 : into, b->flat ? 0 : into});
   if (!rib)
     return fail(rib.error());
+  return rib_prism{rib->place, std::move(rib->points), shape.thickness, local};
+}
+
+expected<edit_result> add_rib(const version_ptr& mesh, const std::vector<surface_id>& walls,
+                              const rib_shape& shape, context& ctx) {
+  const auto rib = rib_prism_of(*mesh, walls, shape);
+  if (!rib)
+    return fail(rib.error());
+  const double local = rib->local;
   const double size = std::min({local, shape.size / 2, 3 * shape.thickness});
   const placement where{rib->place.origin, rib->place.z, local};
   if (auto ok = check_fineness(where, size, shape.size + shape.thickness); !ok)

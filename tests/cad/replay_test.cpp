@@ -3,47 +3,12 @@
 #include <map>
 #include <set>
 
-#include "cad/import.hpp"
-#include "cad/replay.hpp"
-#include "edit/make_edit.hpp"
-#include "tests/cad/import_program.hpp"
+#include "tests/cad/replayed_part.hpp"
 
 namespace tedit::test {
 namespace {
 
 using ::testing::HasSubstr;
-
-/// A box of 10 x 20 x 30 mm from its STEP file; surface 1 is x = 0 ("left wall").
-class Replay : public ::testing::Test {
-protected:
-  void SetUp() override {
-    TEDIT_NEEDS_CAD();
-    auto part = cad::import_part({cad_parts + "box.step", "coarse", {}}, {});
-    ASSERT_TRUE(part) << render(part.error());
-    mesh_ = part->version;
-    model_ = std::move(part->model);
-  }
-
-  [[nodiscard]] checked_edit edit(const edit_request& wanted) const {
-    auto made = make_edit(plugins_, mesh_, wanted, {}, {}, {});
-    EXPECT_TRUE(made) << render(made.error());
-    return made ? std::move(*made) : checked_edit{};
-  }
-
-  /// What comes of `wanted` on the model where the mesh is that of `made`.
-  [[nodiscard]] cad::replayed_edit replay(const edit_request& wanted,
-                                          const checked_edit& made) const {
-    const auto offered = plugins_.find(wanted.operation);
-    auto replayed = cad::replay_edit(
-      {model_, (*offered)->description, mesh_, made.version, wanted, made.report}, {});
-    EXPECT_TRUE(replayed) << render(replayed.error());
-    return replayed ? std::move(*replayed) : cad::replayed_edit{};
-  }
-
-  ops::catalogue plugins_ = ops::load_default_catalogue();
-  version_ptr mesh_;
-  cad::cad_model model_;
-};
 
 /// 4 x 4 mm and 3 mm deep, in the wall z = 30.
 const edit_request pocket{"pocket",
@@ -134,7 +99,10 @@ TEST_F(Replay, WhatNoOneKnowsToDoOnAModelIsSaid) {
   const auto result = replay(wanted, edit(wanted));
 
   EXPECT_FALSE(result.verdict.is_same);
-  EXPECT_EQ(result.verdict.reason, "the operation deform is not made on CAD models");
+  EXPECT_EQ(
+    result.verdict.reason,
+    "deform bends walls point by point: there is no plane, cylinder or other surface of CAD "
+    "that they would be");
 }
 
 TEST_F(Replay, AMeshThatIsOnlyFinerHasTheSameModel) {

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Holes and bosses that are made again elsewhere, of their own faces.
+#include <cmath>
+#include <memory>
+
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepBndLib.hxx>
+#include <BRepBuilderAPI_Transform.hxx>
+#include <BRepClass3d_SolidClassifier.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
+#include <BRepTools.hxx>
+#include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
+#include <IntCurvesFace_ShapeIntersector.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <gp_Lin.hxx>
+#include <gp_Trsf.hxx>
+
+#include "cad/editor/feature.hpp"
+
+namespace tedit::cad {
+
+namespace {
+
+// As the mesh's tools have it (ops/shapes/features/feature_tool.cpp), in local edges.
+constexpr double out_of_part = 0.5;
+constexpr double into_part = 0.2;
+constexpr double on_surface = 1e-3;
+
+gp_Trsf transformation(const step_motion& way) {
+  const auto& c = way.columns;
+  gp_Trsf result;
+  result.SetValues(c[0][0], c[1][0], c[2][0], way.shift[0],  //
+                   c[0][1], c[1][1], c[2][1], way.shift[1],  //
+                   c[0][2], c[1][2], c[2][2], way.shift[2]);
+  return result;
+}
+
+/// What closes a feature, and which way is out of its body.
+struct feature_lid {
+  TopoDS_Face cap;
+  gp_Vec outward;  ///< Unit.
+  std::vector<gp_Pnt> rim;
+};
+
+std::vector<gp_Pnt> rim_of(const TopoDS_Face& cap) {
+  constexpr int an_edge = 12;
+  std::vector<gp_Pnt> points;
+  for (TopExp_Explorer edges(cap, TopAbs_EDGE); edges.More(); edges.Next()) {
+    if (BRep_Tool::Degenerated(TopoDS::Edge(edges.Current())))
+      continue;
+    const BRepAdaptor_Curve curve(TopoDS::Edge(edges.Current()));
+    const double from = curve.FirstParameter();
+    const double to = curve.LastParameter();
+    for (int i = 0; i < an_edge; ++i)
+      points.push_back(curve.Value(from + (to - from) * i / an_edge));
+  }
+  return points;
+}
+
+feature_lid lid_of(const TopoDS_Face& cap, const TopoDS_Shape& body, double near) {
+  Standard_Real u1 = 0;
+  Standard_Real u2 = 0;
+  Standard_Real v1 = 0;
+  Standard_Real v2 = 0;
+  BRepTools::UVBounds(cap, u1, u2, v1, v2);
+  gp_Pnt at;
+  gp_Vec u;
+  gp_Vec v;
+  BRepAdaptor_Surface(cap).D1((u1 + u2) / 2, (v1 + v2) / 2, at, u, v);
+  feature_lid result{cap, u.Crossed(v).Normalized(), rim_of(cap)};
+  // By a point beside the rim, which is inside on one side: the middle may be in a hole of the cap.
+  int inside = 0;
+  for (const auto& solid : solids_of(body))
+    for (const auto& edge_point : result.rim) {
+      const gp_Pnt beside = edge_point.Translated(gp_Vec(edge_point, at) * 1e-2);
+      BRepClass3d_SolidClassifier where(solid);
+      where.Perform(beside.Translated(result.outward * near), near * 1e-3);
+      inside += where.State() == TopAbs_IN ? 1 : 0;
+      where.Perform(beside.Translated(result.outward * -near), near * 1e-3);
+      inside -= where.State() == TopAbs_IN ? 1 : 0;
+    }
+  if (inside > 0)
+    result.outward.Reverse();
+  return result;
+}
+
+/// Where a ray first meets the part.
+struct first_hit {
+  double distance = -1;  ///< Below 0: nowhere.
+  bool leaves = false;   ///< The material ends there.
+};
+
+first_hit along(IntCurvesFace_ShapeIntersector& part, const gp_Pnt& from, const gp_Vec& way,
+                double least) {
+  part.PerformNearest(gp_Lin(from, gp_Dir(way)), least, 1e300);
+  if (!part.IsDone() || part.NbPnt() == 0)
+    return {};
+  return {part.WParameter(1), part.Transition(1) == IntCurveSurface_Out};
+}
+
+/// A hole reaches out of the part, a boss down to it.
+double layer_on(IntCurvesFace_ShapeIntersector& part, const feature_lid& lid, const gp_Trsf& way,
+                const cad_step& step) {
+  const gp_Vec normal = lid.outward.Transformed(way);
+  double most = 0;
+  for (const auto& p : lid.rim) {
+    const auto from = p.Transformed(way);
+    const auto back = step.is_hole ? 0 : 0.1 * on_surface * step.edge_mm;
+    const auto hit = along(part, from.Translated(normal * -back), normal, 1e-9 * step.size_mm);
+    if (hit.distance > 0 && hit.leaves == step.is_hole &&
+        (step.is_hole || hit.distance < 0.5 * step.size_mm))
+      most = std::max(most, hit.distance);
+  }
+  if (step.is_hole)
+    return most + out_of_part * step.edge_mm;
+  return most > on_surface * step.edge_mm ? most + into_part * step.edge_mm : 0;
+}
+
+/// The copies on what is left of the part.
+TopoDS_Shape with_copies(const TopoDS_Shape& rest, const feature& what, const cad_step& step) {
+  const auto body = plug_of(what);
+  if (rest.IsNull() || body.solids.IsNull())
+    return {};
+  std::vector<feature_lid> lids;
+  for (const auto& cap : body.caps)
+    lids.push_back(lid_of(cap, body.solids, 1e-5 * step.size_mm));
+  IntCurvesFace_ShapeIntersector rays;
+  rays.Load(rest, 1e-9 * step.size_mm);
+  std::vector<TopoDS_Shape> tools;
+  for (const auto& motion : step.motions) {
+    const auto way = transformation(motion);
+    for (const auto& solid : solids_of(body.solids))
+      tools.push_back(BRepBuilderAPI_Transform(solid, way, Standard_True).Shape());
+    for (const auto& lid : lids)
+      if (const double layer = layer_on(rays, lid, way, step); layer > 0)
+        tools.push_back(
+          BRepPrimAPI_MakePrism(BRepBuilderAPI_Transform(lid.cap, way, Standard_True).Shape(),
+                                lid.outward.Transformed(way) * layer)
+            .Shape());
+  }
+  part_model base;
+  base.shape = rest;
+  TopExp::MapShapes(rest, TopAbs_FACE, base.faces);
+  return combined(base, tools, step.is_hole ? body_operation::cut : body_operation::add, {},
+                  tool_edges::stay);
+}
+
+}  // namespace
+
+std::vector<way> ways_to_copy(const part_model& part, const cad_step& step) {
+  const auto what = std::make_shared<feature>(feature_of(part, step.surfaces));
+  if (what->faces.empty())
+    return {};
+  if (!step.leaves)
+    return {
+      {"its own faces", [&part, &step, what] { return with_copies(part.shape, *what, step); }}};
+  std::vector<way> ways;
+  for (const auto& removal : ways_to_remove(
+         part, step.surfaces, step.is_hole ? body_operation::add : body_operation::cut))
+    ways.push_back({removal.name + ", its own faces",
+                    [&step, what, removal] { return with_copies(removal.make(), *what, step); }});
+  return ways;
+}
+
+}  // namespace tedit::cad
