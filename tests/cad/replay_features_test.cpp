@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Letters, ribs, shells, copies of features and shapes of files on the CAD model.
+#include <numbers>
 #include <numeric>
 #include <set>
 
@@ -175,6 +176,9 @@ TEST_F(ReplayFeatures, AShellWithAVoidOrWithAnOpenWall) {
   EXPECT_NEAR(volume_of(same(closed).model), box_mm3 - 6 * 16 * 26, 1e-6);
   const edit_request open{"hollow", {1}, {{"thickness", 0.002}}, {}};
   EXPECT_NEAR(volume_of(same(open).model), box_mm3 - 8 * 16 * 26, 1e-6);
+  const edit_request drained{"hollow", {1}, {{"thickness", 0.002}, {"drain_diameter", 0.003}}, {}};
+  EXPECT_NEAR(volume_of(same(drained).model),
+              box_mm3 - 6 * 16 * 26 - std::numbers::pi * 1.5 * 1.5 * 2, 1e-6);
 }
 
 TEST_F(ReplayFeatures, ACutThatKeepsBothSidesMakesTwoSolids) {
@@ -272,6 +276,60 @@ TEST_F(ReplayCopies, AnotherPlaceIsRefused) {
     EXPECT_FALSE(result.verdict.is_same);
     EXPECT_NE(result.verdict.reason, "");
   }
+}
+
+/// As docs/cad.md tells it: from a STEP file to a STEP file.
+class BracketStory : public ::testing::Test {
+protected:
+  void SetUp() override { TEDIT_NEEDS_CAD(); }
+
+  static json done(const std::string& arguments) {
+    const auto result = run(arguments + " --json");
+    EXPECT_EQ(result.status, 0) << arguments << "\n" << result.out;
+    return result.parsed();
+  }
+
+  /// The document after it.
+  std::string same(const std::string& edit) {
+    const auto next = scratch("p" + std::to_string(++count_) + ".tedit").string();
+    std::filesystem::remove(next);
+    const auto made = done("edit " + now_ + " --op " + edit + " -o " + next);
+    EXPECT_EQ(made["cad"]["status"], "same") << edit << "\n" << made["cad"];
+    EXPECT_LT(made["cad"]["deviation_m"].get<double>(), 1e-6 * 0.127);
+    change_ = made["volume_change_m3"].get<double>();
+    return now_ = next;
+  }
+
+  std::string now_;
+  int count_ = 0;
+  double change_ = 0;
+};
+
+TEST_F(BracketStory, ANameTwoMovedHolesAndARibComeBackAsStep) {
+  now_ = scratch("p0.tedit").string();
+  std::filesystem::remove(now_);
+  const auto part = done("import " + cad_parts + "l_bracket.stp --size coarse -o " + now_);
+  same(
+    "emboss --surfaces 8 --param text=TEdit --param size_mm=6 --param height_mm=0.6 "
+    "--param at_mm=0,53,10 --param up=0,1,0");
+  const double letters = change_;
+  same("move --surfaces 13 --param by_mm=-25,-5,0");
+  same("move --surfaces 15 --param by_mm=25,0,5");
+  same("rib --surfaces 5,8 --param thickness_mm=6 --param size_mm=15 --param at_mm=0,10,10");
+  const auto step = scratch("p.step").string();
+  done("export " + now_ + " -o " + step);
+  const auto again = import_part(step + " --size coarse");
+
+  EXPECT_GT(letters, 1e-8);
+  const double rib = 1e-9 * 15 * 15 / 2 * 6;
+  EXPECT_NEAR(again["cad_volume_m3"].get<double>(),
+              part["cad_volume_m3"].get<double>() + letters + rib, 1e-13);
+  std::set<int> ids;
+  for (const auto& surface : again["surfaces"])
+    ids.insert(surface["id"].get<int>());
+  EXPECT_EQ(ids.size(), 21U);
+  EXPECT_EQ(*ids.begin(), 1);
+  EXPECT_EQ(*ids.rbegin(), 21);
 }
 
 }  // namespace
