@@ -146,7 +146,7 @@ TopoDS_Shape with_copies(const TopoDS_Shape& rest, const feature& what, const ca
   base.shape = rest;
   TopExp::MapShapes(rest, TopAbs_FACE, base.faces);
   return combined(base, tools, step.is_hole ? body_operation::cut : body_operation::add, {},
-                  tool_edges::stay);
+                  new_edges::stay);
 }
 
 }  // namespace

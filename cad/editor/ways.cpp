@@ -9,7 +9,6 @@
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
-#include <TopTools_DataMapOfShapeInteger.hxx>
 #include <TopTools_ListOfShape.hxx>
 #include <TopoDS_Compound.hxx>
 
@@ -17,31 +16,8 @@ namespace tedit::cad {
 
 namespace {
 
-/// A boolean's shape, and for its faces that are of a tool: of which tool, and which of its faces.
-struct made_shape {
-  TopoDS_Shape shape;
-  TopTools_DataMapOfShapeInteger tool;
-  TopTools_DataMapOfShapeInteger face;
-};
-
 template <class Operation>
-void note_origins(Operation& operation, const std::vector<TopoDS_Shape>& tools, made_shape& made) {
-  int number = 0;
-  for (std::size_t i = 0; i < tools.size(); ++i)
-    for (TopExp_Explorer all(tools[i], TopAbs_FACE); all.More(); all.Next()) {
-      ++number;
-      const auto note = [&](const TopoDS_Shape& face) {
-        made.tool.Bind(face, static_cast<int>(i));
-        made.face.Bind(face, number);
-      };
-      note(all.Current());
-      for (const auto& face : operation.Modified(all.Current()))
-        note(face);
-    }
-}
-
-template <class Operation>
-made_shape run(const TopoDS_Shape& solid, const std::vector<TopoDS_Shape>& tools) {
+TopoDS_Shape run(const TopoDS_Shape& solid, const std::vector<TopoDS_Shape>& tools) {
   TopTools_ListOfShape arguments;
   TopTools_ListOfShape others;
   arguments.Append(solid);
@@ -52,16 +28,11 @@ made_shape run(const TopoDS_Shape& solid, const std::vector<TopoDS_Shape>& tools
   operation.SetTools(others);
   operation.SetNonDestructive(true);
   operation.Build();
-  made_shape made;
-  if (operation.HasErrors())
-    return made;
-  made.shape = operation.Shape();
-  note_origins(operation, tools, made);
-  return made;
+  return operation.HasErrors() ? TopoDS_Shape() : operation.Shape();
 }
 
-made_shape run(body_operation operation, const TopoDS_Shape& solid,
-               const std::vector<TopoDS_Shape>& tools) {
+TopoDS_Shape run(body_operation operation, const TopoDS_Shape& solid,
+                 const std::vector<TopoDS_Shape>& tools) {
   switch (operation) {
     case body_operation::cut:
       return run<BRepAlgoAPI_Cut>(solid, tools);
@@ -73,20 +44,8 @@ made_shape run(body_operation operation, const TopoDS_Shape& solid,
   return {};
 }
 
-/// Do the faces at an edge come from two faces of one tool?
-bool is_edge_of_tool(const TopTools_ListOfShape& faces, const made_shape& made) {
-  if (faces.Extent() != 2)
-    return false;
-  const auto* one = made.tool.Seek(faces.First());
-  const auto* other = made.tool.Seek(faces.Last());
-  return one && other && *one == *other &&
-         made.face.Find(faces.First()) != made.face.Find(faces.Last());
-}
-
 /// Edges between faces that are as they were stay: they part surfaces that have ids of their own.
-TopoDS_Shape without_new_edges(const made_shape& made, const TopTools_IndexedMapOfShape& old,
-                               tool_edges edges) {
-  const auto& shape = made.shape;
+TopoDS_Shape without_new_edges(const TopoDS_Shape& shape, const TopTools_IndexedMapOfShape& old) {
   try {
     ShapeUpgrade_UnifySameDomain unify(shape, Standard_True, Standard_True, Standard_False);
     const auto at = faces_at_edges(shape);
@@ -94,7 +53,7 @@ TopoDS_Shape without_new_edges(const made_shape& made, const TopTools_IndexedMap
       bool is_old = true;
       for (const auto& face : at(i))
         is_old = is_old && old.Contains(face);
-      if (is_old || (edges == tool_edges::stay && is_edge_of_tool(at(i), made)))
+      if (is_old)
         unify.KeepShape(at.FindKey(i));
     }
     unify.Build();
@@ -127,7 +86,7 @@ TopoDS_Shape compound_of(const std::vector<TopoDS_Shape>& shapes) {
 TopoDS_Shape combined(const part_model& part, const std::vector<TopoDS_Shape>& tools,
                       body_operation operation,
                       const std::function<bool(const TopoDS_Shape& solid)>& concerns,
-                      tool_edges edges) {
+                      new_edges edges) {
   std::vector<TopoDS_Shape> result;
   for (const auto& solid : solids_of(part.shape)) {
     if (concerns && !concerns(solid)) {
@@ -135,9 +94,10 @@ TopoDS_Shape combined(const part_model& part, const std::vector<TopoDS_Shape>& t
       continue;
     }
     const auto made = run(operation, solid, tools);
-    if (made.shape.IsNull())
+    if (made.IsNull())
       return {};
-    for (const auto& piece : solids_of(without_new_edges(made, part.faces, edges)))
+    for (const auto& piece :
+         solids_of(edges == new_edges::stay ? made : without_new_edges(made, part.faces)))
       result.push_back(piece);
   }
   return compound_of(result);

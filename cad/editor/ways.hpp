@@ -39,10 +39,10 @@ enum class body_operation { cut, add, keep };
 /// A closed surface of flat triangles; those in one plane become one face where that works.
 [[nodiscard]] std::vector<TopoDS_Shape> faceted(const exact_tool& tool);
 
-/// Edges between two faces of one tool that run on into each other.
-enum class tool_edges {
-  go,   ///< As all that booleans draw across a face.
-  stay  ///< They part surfaces that have ids of their own.
+/// Edges that a boolean draws across a face.
+enum class new_edges {
+  go,   ///< They are taken out again where that works.
+  stay  ///< Those of the tool may part surfaces that have ids of their own.
 };
 
 /// The operation on each solid that `concerns` (all where it is empty), others as they are. Edges
@@ -50,7 +50,7 @@ enum class tool_edges {
 [[nodiscard]] TopoDS_Shape combined(
   const part_model& part, const std::vector<TopoDS_Shape>& tools, body_operation operation,
   const std::function<bool(const TopoDS_Shape& solid)>& concerns = {},
-  tool_edges edges = tool_edges::go);
+  new_edges edges = new_edges::go);
 
 /// The solids of a shape.
 [[nodiscard]] std::vector<TopoDS_Shape> solids_of(const TopoDS_Shape& shape);
