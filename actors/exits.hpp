@@ -17,7 +17,8 @@ namespace tedit::actors {
 /// Lets an actor be ended from this process only. By CAF's default any node that knows its number,
 /// or that dies while it is linked to it, ends it too; the actors of a server serve others and must
 /// outlive such a node. `before` is called first when it ends.
-inline void heed_only_own_exits(caf::scheduled_actor* self, std::function<void()> before = {}) {
+inline void heed_only_own_exits(caf::scheduled_actor* self,
+                                const std::function<void()>& before = {}) {
   self->set_exit_handler([=](caf::exit_msg& message) {
     if (message.source && message.source.node() != self->node()) {
       spdlog::warn("{}: another node asked it to end; it goes on", self->name());

@@ -53,7 +53,7 @@ modeling_actor::behavior_type make_modeling(modeling_actor::stateful_pointer<mod
                                             std::shared_ptr<const ops::catalogue> plugins,
                                             std::optional<process_usage> at_start) {
   self->state.jobs = make_jobs(self, worker_role::modeling, std::move(cache), std::move(pages));
-  self->state.jobs.at_start = std::move(at_start);
+  self->state.jobs.at_start = at_start;
   self->state.plugins = std::move(plugins);
   self->state.services = ops::make_host_services();
   return {

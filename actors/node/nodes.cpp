@@ -122,7 +122,7 @@ node_entrance::~node_entrance() {
 
 expected<std::unique_ptr<node_entrance>> node_entrance::open(caf::actor_system& system,
                                                              entrance_parts parts,
-                                                             node_options options) {
+                                                             const node_options& options) {
   door_options wanted;
   wanted.identity = options.certificates;
   wanted.address = options.address;

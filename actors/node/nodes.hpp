@@ -34,7 +34,7 @@ public:
   /// Errors: those of `door::open`.
   [[nodiscard]] static expected<std::unique_ptr<node_entrance>> open(caf::actor_system& system,
                                                                      entrance_parts parts,
-                                                                     node_options options);
+                                                                     const node_options& options);
   node_entrance(const node_entrance&) = delete;
   node_entrance& operator=(const node_entrance&) = delete;
   ~node_entrance();  ///< Cuts all connections.

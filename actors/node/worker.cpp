@@ -77,7 +77,7 @@ expected<void> run_worker(const worker_options& options, const cancel_token& sto
     return fail(joined.error());
   auto& node = **joined;
   if (options.confined)
-    if (const auto ok = sandbox::confine_calls(); !ok)
+    if (auto ok = sandbox::confine_calls(); !ok)
       return ok;
   const auto worker = spawn_role(node, options);
   node.own(worker);

@@ -313,9 +313,9 @@ caf::result<exported> session_state::write_file(const export_request& request) {
   return *promise;
 }
 
-void session_state::write_version(const export_request& request, const graph_node& node,
-                                  const version_ptr& mesh,
-                                  std::shared_ptr<caf::typed_response_promise<exported>> promise) {
+void session_state::write_version(
+  const export_request& request, const graph_node& node, const version_ptr& mesh,
+  const std::shared_ptr<caf::typed_response_promise<exported>>& promise) {
   const auto job = new_job(request.ticket, request.client);
   export_order order{base_order(request.client), make_ref(mesh), {}, {}, request.format,
                      request.length_unit};
@@ -338,9 +338,10 @@ void session_state::write_version(const export_request& request, const graph_nod
     });
 }
 
-void session_state::send_export(job_id job, const export_order& order, const std::string& file_name,
-                                std::shared_ptr<caf::typed_response_promise<exported>> promise,
-                                const version_ptr& mesh, const page_set& held, int retries) {
+void session_state::send_export(
+  job_id job, const export_order& order, const std::string& file_name,
+  const std::shared_ptr<caf::typed_response_promise<exported>>& promise, const version_ptr& mesh,
+  const page_set& held, int retries) {
   const auto refuse = [=, this](const error& e) {
     progress_of.erase(job);
     promise->deliver(to_caf(e));

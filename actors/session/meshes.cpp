@@ -37,8 +37,9 @@ version_ptr session_state::mesh_at_hand(std::uint32_t number) {
                                                      : nullptr;
 }
 
-void session_state::with_mesh(std::uint32_t number, std::function<void(const version_ptr&)> use,
-                              std::function<void(const error&)> refuse) {
+void session_state::with_mesh(std::uint32_t number,
+                              const std::function<void(const version_ptr&)>& use,
+                              const std::function<void(const error&)>& refuse) {
   if (const auto there = mesh_at_hand(number))
     return use(there);
   ++loading;

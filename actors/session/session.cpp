@@ -237,8 +237,8 @@ void session_state::on_progress(const job_progress& note) {
                  request_progress{found->second.first, note.fraction, note.stage});
 }
 
-void session_state::commit(store::change change, std::function<void(double ms)> done,
-                           std::function<void(const error&)> failed) {
+void session_state::commit(store::change change, const std::function<void(double ms)>& done,
+                           const std::function<void(const error&)>& failed) {
   if (running)
     running->cancel_job = nullptr;
   const stopwatch clock;
@@ -249,8 +249,8 @@ void session_state::commit(store::change change, std::function<void(double ms)> 
 }
 
 void session_state::pull(const caf::actor& source, const hash_list& ids,
-                         std::function<void(const page_set&)> done,
-                         std::function<void(const error&)> failed) {
+                         const std::function<void(const page_set&)>& done,
+                         const std::function<void(const error&)>& failed) {
   self->request(parts.pages, std::chrono::minutes(5), fetch_atom::value, source, ids)
     .then([=](const page_set& pages) { done(pages); },
           [=](const caf::error& e) { failed(from_caf(e, "fetching the result")); });

@@ -162,11 +162,12 @@ struct session_state {
   template <class Event>
   void broadcast(const Event& event, const std::set<caf::actor>& answered = {});
   /// Makes a change durable, then calls `done`, or `failed`.
-  void commit(store::change change, std::function<void(double ms)> done,
-              std::function<void(const error&)> failed);
+  void commit(store::change change, const std::function<void(double ms)>& done,
+              const std::function<void(const error&)>& failed);
   /// Fetches pages into this process, then calls `done`, or `failed`.
   void pull(const caf::actor& source, const hash_list& ids,
-            std::function<void(const page_set&)> done, std::function<void(const error&)> failed);
+            const std::function<void(const page_set&)>& done,
+            const std::function<void(const error&)>& failed);
   job_id new_job(std::uint64_t ticket, const caf::actor& client);
   /// `client`: who asks, or null.
   [[nodiscard]] order_base base_order(const caf::actor& client) const;
@@ -180,7 +181,7 @@ struct session_state {
   /// The rest of an export, once this process has all pages that its order names, of `mesh` and
   /// `held`, which nobody else may hold.
   void send_export(job_id job, const export_order& order, const std::string& file_name,
-                   std::shared_ptr<caf::typed_response_promise<exported>> promise,
+                   const std::shared_ptr<caf::typed_response_promise<exported>>& promise,
                    const version_ptr& mesh, const page_set& held = {}, int retries = 0);
   caf::result<selected> select(const select_request& request);
 
@@ -197,7 +198,7 @@ struct session_state {
   void commit_move(const move_request& request, const version_graph::target& target,
                    const version_ptr& mesh, caf::typed_response_promise<head_moved> promise);
   void write_version(const export_request& request, const graph_node& node, const version_ptr& mesh,
-                     std::shared_ptr<caf::typed_response_promise<exported>> promise);
+                     const std::shared_ptr<caf::typed_response_promise<exported>>& promise);
   [[nodiscard]] head_moved describe(const graph_node& node, const std::string& cause) const;
 
   // -- meshes.cpp -----------------------------------------------------------------------------
@@ -210,8 +211,8 @@ struct session_state {
   [[nodiscard]] version_ptr mesh_at_hand(std::uint32_t number);
   /// Calls `use` at once when the mesh is at hand, else once it was read. @pre there is the
   /// version.
-  void with_mesh(std::uint32_t number, std::function<void(const version_ptr&)> use,
-                 std::function<void(const error&)> refuse);
+  void with_mesh(std::uint32_t number, const std::function<void(const version_ptr&)>& use,
+                 const std::function<void(const error&)>& refuse);
 
   // -- what every change must pass (changes.cpp) -----------------------------------------------
 
@@ -272,8 +273,8 @@ struct session_state {
   /// Has all fields of a result, those that only files have, too, in this process: from the worker
   /// that solved, or, where that has gone or forgotten them, by solving once more.
   void fetch_all_fields(const kept_result& result, const version_ptr& mesh, const order_base& base,
-                        std::function<void(const solve_result&, const page_set&)> use,
-                        std::function<void(const error&)> refuse);
+                        const std::function<void(const solve_result&, const page_set&)>& use,
+                        const std::function<void(const error&)>& refuse);
   [[nodiscard]] solve_order order_of(const solve_key& key, const version_ptr& mesh,
                                      const order_base& base) const;
   /// Solves the new head when somebody has asked for a solve before.
@@ -298,8 +299,8 @@ struct session_state {
   void on_preview(const job_preview& preview);
   /// Fetches the pages of fields and hands the opened fields on while `job` is still active.
   void open_fields(job_id job, const solve_result& result,
-                   std::function<void(std::shared_ptr<const std::vector<field>>)> use,
-                   std::function<void(const error&)> refuse);
+                   const std::function<void(std::shared_ptr<const std::vector<field>>)>& use,
+                   const std::function<void(const error&)>& refuse);
   /// How a solve goes on; its end is told to those who wait for it by their answer.
   void tell(const active_solve& which, solve_phase phase, const std::string& message = {});
 

@@ -156,10 +156,10 @@ solve_order session_state::order_of(const solve_key& key, const version_ptr& mes
           key.tolerance, key.energy_tolerance, key.element_order};
 }
 
-void session_state::fetch_all_fields(const kept_result& result, const version_ptr& mesh,
-                                     const order_base& base,
-                                     std::function<void(const solve_result&, const page_set&)> use,
-                                     std::function<void(const error&)> refuse) {
+void session_state::fetch_all_fields(
+  const kept_result& result, const version_ptr& mesh, const order_base& base,
+  const std::function<void(const solve_result&, const page_set&)>& use,
+  const std::function<void(const error&)>& refuse) {
   const auto take = [=, this](const solve_result& solved_now,
                               std::function<void(const error&)> failed) {
     auto ids = pages_of(solved_now.fields);
@@ -232,9 +232,10 @@ acknowledged session_state::end_solve() {
   return {};
 }
 
-void session_state::open_fields(job_id job, const solve_result& result,
-                                std::function<void(std::shared_ptr<const std::vector<field>>)> use,
-                                std::function<void(const error&)> refuse) {
+void session_state::open_fields(
+  job_id job, const solve_result& result,
+  const std::function<void(std::shared_ptr<const std::vector<field>>)>& use,
+  const std::function<void(const error&)>& refuse) {
   if (!active || active->job != job)
     return;  // Superseded meanwhile.
   if (const auto outcome = result.outcome.get(); !outcome)

@@ -413,8 +413,7 @@ expected<std::int64_t> document::remove(const removal& what) {
   if (!impl_->exists)
     return fail(ec::not_found, "the document holds nothing yet", "Open a part in it first");
   auto* db = impl_->db.get();
-  const auto pages =
-    impl_->check_mine().and_then([&] { return remove_rows(db, impl_->seals, what); });
+  auto pages = impl_->check_mine().and_then([&] { return remove_rows(db, impl_->seals, what); });
   if (!pages)
     return pages;
   return impl_->seals.stored()

@@ -27,6 +27,7 @@ struct seal {
   void add(const hash128& row) noexcept;
   void take_off(const hash128& row) noexcept;
 
+  // NOLINTNEXTLINE(bugprone-reserved-identifier,readability-identifier-naming): the compiler's.
   friend bool operator==(const seal&, const seal&) = default;
 };
 

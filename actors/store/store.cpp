@@ -183,7 +183,8 @@ const disk& disk_set::least_busy(std::size_t from) const {
 }
 
 disk_actor::behavior_type make_disk(disk_actor::stateful_pointer<disk_state> self,
-                                    std::shared_ptr<std::atomic<int>> jobs) {
+                                    // NOLINTNEXTLINE(performance-unnecessary-value-param)
+                                    std::shared_ptr<std::atomic<int>> jobs) {  // As CAF passes it.
   // The answer goes out before a connection too many is closed: that may take a checkpoint.
   const auto end_job = [=](const shared_file& file) {
     --*jobs;

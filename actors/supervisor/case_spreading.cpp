@@ -74,9 +74,10 @@ void fail_all(spreading_pointer self, const spread_ptr& run, const error& e) {
 }
 
 /// The shown fields of all parts, one part after the other as each has its own place; then `use`.
-void gather(spreading_pointer self, std::shared_ptr<std::vector<solve_result>> parts,
-            std::shared_ptr<page_map> found, std::size_t next,
-            std::function<void(const page_set&)> use, std::function<void(const error&)> refuse) {
+void gather(spreading_pointer self, const std::shared_ptr<std::vector<solve_result>>& parts,
+            const std::shared_ptr<page_map>& found, std::size_t next,
+            const std::function<void(const page_set&)>& use,
+            const std::function<void(const error&)>& refuse) {
   if (next == parts->size())
     return use(page_set{found, found->size()});
   const auto& part = (*parts)[next];
@@ -93,7 +94,8 @@ void gather(spreading_pointer self, std::shared_ptr<std::vector<solve_result>> p
 
 /// Merges what all parts have and holds the pages for a while.
 void merge(spreading_pointer self, const spread_ptr& run, std::vector<solve_result> parts,
-           std::function<void(solve_result)> use, std::function<void(const error&)> refuse) {
+           const std::function<void(solve_result)>& use,
+           const std::function<void(const error&)>& refuse) {
   const auto all = std::make_shared<std::vector<solve_result>>(std::move(parts));
   gather(
     self, all, std::make_shared<page_map>(), 0,
@@ -107,7 +109,7 @@ void merge(spreading_pointer self, const spread_ptr& run, std::vector<solve_resu
       caf::delayed_anon_send(self->state.ear, time_to_fetch, held_pages{std::move(merged->pages)});
       use(std::move(merged->result));
     },
-    std::move(refuse));
+    refuse);
 }
 
 void finish(spreading_pointer self, const spread_ptr& run) {

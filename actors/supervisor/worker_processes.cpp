@@ -16,7 +16,7 @@ public:
     auto link = make_link();
     if (!link)
       return fail(link.error());
-    const auto pid = spawn_process(command, link->theirs.get());
+    auto pid = spawn_process(command, link->theirs.get());
     if (pid)
       serve_link(system, std::move(link->ours), enlister, reach_of_workers());
     return pid;

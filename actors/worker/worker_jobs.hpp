@@ -177,7 +177,7 @@ caf::result<Result> perform(
 /// The jobs of a worker in this process; on a thread of their own unless one is given.
 template <class Self>
 worker_jobs make_jobs(Self self, worker_role role, std::shared_ptr<page_cache> cache,
-                      page_store_actor pages, job_thread_actor thread = {}) {
+                      const page_store_actor& pages, job_thread_actor thread = {}) {
   worker_jobs jobs;
   jobs.role = role;
   jobs.cache = std::move(cache);
