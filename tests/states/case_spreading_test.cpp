@@ -358,6 +358,16 @@ TEST_F(CaseSpreading, WhenFieldsAreGoneWithTheirMachineAllIsSolvedOnceMoreInOneP
   EXPECT_EQ(got.count(), 1);
 }
 
+TEST_F(CaseSpreading, PartsThatDoNotFitTogetherAreToldAndNothingElse) {
+  const auto got = solve(7);
+  finish(result_of({{"a", {1, 2}}}));
+  finish(result_of({{"b", {3, 1, 2}}}));  // Of another mesh.
+  pass(milliseconds(1));
+  EXPECT_EQ(got.refusal().code, ec::protocol_error);
+  EXPECT_EQ(got.count(), 1);
+  EXPECT_TRUE(machines().tasks.empty());
+}
+
 TEST_F(CaseSpreading, ACancelReachesAllParts) {
   const auto got = solve(7);
   const auto first = machines().tasks[0].job.value;
