@@ -24,7 +24,8 @@ constexpr double inside_tolerance = 1e-7;
 }  // namespace
 
 face_probe::face_probe(const TopoDS_Face& face) : face_(face) {
-  BRepBndLib::AddOptimal(face_, extent_, Standard_False, Standard_False);
+  // Not AddOptimal: it looks for the best box of a torus or a spline by swarms of particles.
+  BRepBndLib::Add(face_, extent_, Standard_False);
 }
 
 double curvature_of(const BRepAdaptor_Surface& surface, double u, double v) {
