@@ -4,8 +4,8 @@
 
 usage: bench/long_session.py MESH SURFACES [--edits 1000] [--depth-mm .02] [--program build/release/bin/tedit]
 
-Each edit erodes or thickens one of SURFACES (ids with commas) by up to the depth, chosen at random from a fixed seed; what
-is refused is asked for again elsewhere. Printed over the run: median ms of an edit to its answer, the document's size with
+Each edit erodes or thickens one of SURFACES (ids with commas) by up to the depth, chosen at random from a fixed seed, and
+the next one of that wall brings it back, so that none wanders away; what is refused is asked for again elsewhere. Printed over the run: median ms of an edit to its answer, the document's size with
 its log, resident memory of the server and of all its workers. Then ms to go to 50 random versions, ms to open the document
 in a new server, and what `doc gc` leaves beside what one version takes.
 """
@@ -75,12 +75,14 @@ async def enter(socket, host):
 
 async def edit_often(server, host, surfaces, given):
     choose = random.Random(7)
-    made, refused, block = 0, 0, []
+    made, refused, block, away = 0, 0, [], {}
     print("edits  median ms  document MiB  server MiB  workers MiB")
     while made < given.edits:
-        depth = given.depth_mm * choose.uniform(.2, 1)
+        surface = choose.choice(surfaces)
+        there = (choose.choice(["erode", "thicken"]), given.depth_mm * choose.uniform(.2, 1))
+        operation, depth = away.pop(surface, there)
         parameter = operation_pb2.ParameterValue(real=depth)
-        request = dict(operation=choose.choice(["erode", "thicken"]), surfaces=[choose.choice(surfaces)])
+        request = dict(operation=operation, surfaces=[surface])
         started = time.perf_counter()
         try:
             await server.ask("apply_edit", parameters={"depth_mm": parameter}, **request)
@@ -89,6 +91,8 @@ async def edit_often(server, host, surfaces, given):
             continue
         block.append((time.perf_counter() - started) * 1e3)
         made += 1
+        if (operation, depth) == there:
+            away[surface] = ("thicken" if operation == "erode" else "erode", depth)
         if made in (10, 50) or made % 100 == 0:
             memory = host.resident_mib()
             print(f"{made:5}  {statistics.median(block):9.1f}  {host.document_mib():12.1f}  {memory[0]:10.0f}  {memory[1]:11.0f}",
