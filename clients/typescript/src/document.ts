@@ -417,7 +417,8 @@ export class Document {
       case "versionAnnotated":
         return { type: body.case, message: body.value };
       case "cadStateChanged":
-        if (this.head && this.head.number === body.value.version?.number) this.head.cad = body.value.version.cad;
+        if (body.value.version?.cad && this.head?.number === body.value.version.number)
+          this.head.cad = body.value.version.cad;
         return { type: body.case, message: body.value };
       default:
         return undefined;
