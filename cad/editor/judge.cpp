@@ -268,7 +268,9 @@ private:
         const auto& at = mesh_.points[static_cast<std::size_t>(t[k])];
         const gp_Pnt p(at[0], at[1], at[2]);
         const double at_most = 0.1 * step_.size_mm;
-        const double far = nearest(t[3], p, at_most).distance;
+        // Most are on a face: far ones are looked for only where none is that near.
+        const double near = nearest(t[3], p, 2 * tolerance_).distance;
+        const double far = near <= tolerance_ ? near : nearest(t[3], p, at_most).distance;
         if (far > tolerance_) {
           result_.fault = "the mesh's vertex at " + place(p) + " on surface " +
                           std::to_string(t[3]) + " is " + (far < at_most ? "" : "more than ") +
