@@ -76,6 +76,9 @@ class Client:
         for field, value in fields.items():
             if isinstance(value, (list, tuple)):
                 getattr(body, field).extend(value)
+            elif isinstance(value, dict):
+                for key, one in value.items():
+                    getattr(body, field)[key].CopyFrom(one)
             elif hasattr(value, "CopyFrom"):
                 getattr(body, field).CopyFrom(value)
             else:

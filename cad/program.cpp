@@ -209,6 +209,7 @@ program_end run_program(const std::string& name, const std::string& what,
   if (stopped == stop::cancel) {
     end.why = {ec::cancelled, "the import was cancelled", "", {}};
   } else if (stopped == stop::time) {
+    end.by_clock = true;
     end.why = time_is_up(what, end, limits);
   } else if (!end.done && !refused) {
     end.why = reason_of(status, what, end, limits);

@@ -23,9 +23,10 @@ struct program_limits {
 /// How a program ended.
 struct program_end {
   bool done = false;
-  bool died = false;  ///< By a signal or an exit of its own, without a word of why.
-  std::string doing;  ///< The last that it said it was doing: "transferring the model".
-  error why;          ///< Unless `done`.
+  bool died = false;      ///< By a signal or an exit of its own, without a word of why.
+  bool by_clock = false;  ///< Its time by the clock was over, not that of CPU.
+  std::string doing;      ///< The last that it said it was doing: "transferring the model".
+  error why;              ///< Unless `done`.
 };
 
 /// Runs `name` (cad/exchange.hpp) of the folder of programs in `folder`, with its arguments; its

@@ -72,6 +72,11 @@ expected<replayed_edit> replay_edit(const replay_request& request, const executi
   const auto end =
     run_program("tedit-cad-editor", "the CAD editor", folder.path(), {}, request.limits, run);
   result.ms = clock.milliseconds();
+  if (end.by_clock && request.limits.clock > request.limits.time)
+    return fail(ec::timeout,
+                "the machine was too busy to make the edit on the CAD model within " +
+                  std::to_string(request.limits.clock.count()) + " s",
+                "Try again when less runs on it");
   if (!end.done) {
     if (end.why.code == ec::cancelled || end.why.code == ec::service_unavailable)
       return fail(end.why);

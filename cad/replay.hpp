@@ -30,8 +30,8 @@ struct replayed_edit {
 
 /// Makes an edit of a mesh on the CAD model in a process of its own, and compares what came of it
 /// with the mesh (cad/editor/judge.hpp). What cannot be made, or is another shape, is no error: the
-/// verdict says why. Errors: `io_error`, `service_unavailable`, `cancelled`. Cost: some 100 ms of
-/// another process.
+/// verdict says why. Errors: `io_error`, `service_unavailable`, `cancelled`; `timeout` by a clock
+/// that is given beside the time of CPU. Cost: some 100 ms of another process.
 [[nodiscard]] expected<replayed_edit> replay_edit(const replay_request& request,
                                                   const execution& run);
 

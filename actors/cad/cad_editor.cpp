@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "actors/cad/cad_editor.hpp"
 
+#include <sched.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <string_view>
 
 #include "actors/cad/cad_rows.hpp"
 #include "actors/errors.hpp"
@@ -20,14 +23,21 @@ namespace {
 using editor_pointer = cad_editor_actor::stateful_pointer<cad_editor_state>;
 
 /// So much CPU as in the commands of files. By the clock it may take far longer, as it gives way to
-/// all others: what is in a document must not depend on how busy the machine was.
+/// all others; beyond that it is no verdict: what is in a document must not depend on how busy the
+/// machine was.
 constexpr cad::program_limits edit_limits{std::chrono::seconds(20), std::uint64_t{2} << 30,
                                           std::uint64_t{1} << 28, std::chrono::minutes(20)};
 
-/// Of this thread alone, and of the programs that it starts.
+/// This thread, and the programs that it starts: they run where nobody else wants to, and leave the
+/// processor the moment that somebody does.
 void give_way() {
+  const char* wanted = std::getenv("TEDIT_CAD_PRIORITY");
+  if (wanted && std::string_view(wanted) == "normal")
+    return;
   constexpr int last_of_all = 19;
   setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), last_of_all);
+  const sched_param none{};
+  sched_setscheduler(0, SCHED_IDLE, &none);
 }
 
 expected<cad_outcome> carry_out(const cad_order& order, const ops::operation_description* about,

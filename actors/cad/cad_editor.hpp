@@ -44,7 +44,8 @@ cad_editor_actor::behavior_type make_cad_editor(
   std::vector<job_thread_actor> threads);
 
 /// A thread that gives way, with all processes that it starts, to all other work of the machine:
-/// who edits a mesh does not notice.
+/// who edits a mesh does not notice. Unless TEDIT_CAD_PRIORITY is "normal": tests wait for it on
+/// machines that are never idle.
 [[nodiscard]] job_thread_actor spawn_background_thread(caf::actor_system& system);
 
 }  // namespace tedit::actors

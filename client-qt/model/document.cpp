@@ -33,6 +33,12 @@ document::document(remote& link, QObject* parent)
     if (versions_.take_annotation(info))
       emit history_changed();
   });
+  connect(&link_, &remote::cad_known, this, [this](const client::version_info& info) {
+    if (!versions_.take_annotation(info))
+      return;
+    emit history_changed();
+    emit cad_known(info);
+  });
 }
 
 QString document::surface_name(surface_id id) const {

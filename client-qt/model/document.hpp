@@ -91,6 +91,8 @@ signals:
   void surface_changed();
   void field_changed();
   void history_changed();
+  /// How a version stands on the CAD model; it is in the history by then.
+  void cad_known(const tedit::client::version_info& version);
   void operations_changed();
   void edited(const tedit::client::committed& what);
   void notice(const QString& text);

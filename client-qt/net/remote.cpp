@@ -259,6 +259,9 @@ client::events remote::make_events() {
   handlers.on_annotated = [this, here](const client::version_info& version) {
     here([this, version] { emit annotated(version); });
   };
+  handlers.on_cad = [this, here](const client::version_info& version) {
+    here([this, version] { emit cad_known(version); });
+  };
   handlers.on_renamed = [this, here](const std::string& name) {
     here([this, name = QString::fromStdString(name)] { emit renamed(name); });
   };

@@ -107,6 +107,8 @@ signals:
   void committed(const tedit::client::committed& what);
   void load_cases_changed(const tedit::client::load_cases_event& event);
   void annotated(const tedit::client::version_info& version);
+  /// How it stands on the CAD model has become known.
+  void cad_known(const tedit::client::version_info& version);
   void renamed(const QString& document);
   void solve_status(const tedit::client::solve_status& status);
   void solved(const tedit::solve_outcome& outcome);

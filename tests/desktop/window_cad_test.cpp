@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // CAD files in the window, and the rail with as many operations as there are.
+#include "client-qt/tools/history/history_strip.hpp"
+#include "client-qt/tools/receipt/receipt_panel.hpp"
 #include "tests/desktop/window_fixture.hpp"
 #include "tests/scan/surfaces.hpp"
 
@@ -80,6 +82,47 @@ TEST_F(CadFiles, AnEditComesBackInTheStepFile) {
   const auto text = file.readAll();
   EXPECT_TRUE(text.startsWith("ISO-10303-21"));
   EXPECT_EQ(text.count("ADVANCED_FACE("), 6);  // Nine with the hole.
+}
+
+/// What the history says of a version on the CAD model, beside its mark.
+QString said_of(const history_strip& history, int row) {
+  return history.item(row)->data(Qt::AccessibleDescriptionRole).toString();
+}
+
+TEST_F(CadFiles, EachVersionShowsWhetherTheCadModelHasItAndANoticeSaysWhichHasNot) {
+  if (!can_read())
+    GTEST_SKIP() << "this build reads no CAD files";
+  open_coarse(block());
+  const auto& history = *window->findChild<history_strip*>();
+  const auto* receipt = window->findChild<receipt_panel*>();
+  ASSERT_NE(receipt, nullptr);
+  ASSERT_TRUE(wait([&] { return history.count() == 1; }));
+  EXPECT_EQ(said_of(history, 0), "The part as the CAD model has it");
+
+  part().edits().apply({"fill_hole", {8, 9}, {}, {}});
+  ASSERT_TRUE(wait([&] { return version() == 1 && shows_head(); }));
+  ASSERT_TRUE(wait([&] { return said_of(history, 1).startsWith("On the CAD model"); }))
+    << said_of(history, 1).toStdString();
+  EXPECT_TRUE(history.item(1)->toolTip().contains("new vertices within"));
+  EXPECT_TRUE(receipt->toPlainText().contains("On the CAD model, new vertices within"));
+  EXPECT_TRUE(window->context().messages.text().isEmpty()) << "nothing to be done about it";
+
+  part().edits().apply({"deform", {3}, {{"distance", 1e-3}}, {}});
+  ASSERT_TRUE(wait([&] { return version() == 2 && shows_head(); }));
+  ASSERT_TRUE(wait([&] { return said_of(history, 2).startsWith("In the mesh only"); }))
+    << said_of(history, 2).toStdString();
+  EXPECT_TRUE(said_of(history, 2).contains("deform"));
+  EXPECT_TRUE(window->context().messages.text().startsWith("Version 2. In the mesh only"))
+    << window->context().messages.text().toStdString();
+  EXPECT_TRUE(receipt->toPlainText().contains("In the mesh only"));
+  window->context().messages.clear_message();
+
+  part().edits().apply({"improve_mesh", {}, {}, {}});
+  ASSERT_TRUE(wait([&] { return version() == 3 && shows_head(); }));
+  ASSERT_TRUE(wait([&] { return said_of(history, 3).contains("version 2 (deform)"); }))
+    << said_of(history, 3).toStdString();
+  EXPECT_FALSE(window->context().messages.text().contains("mesh only"))
+    << "told once: of the one that can be taken back";
 }
 
 TEST_F(CadFiles, APartFromAMeshHasNoModelToExport) {

@@ -55,23 +55,50 @@ std::vector<std::optional<cad_state>> states_in(client::client& user) {
   return states;
 }
 
+/// A folder of the programs of this build, but for the CAD editor, for as long as it lives.
+class without_editor {
+public:
+  without_editor() {
+    for (const auto& one : std::filesystem::directory_iterator(TEDIT_BIN))
+      if (const auto name = one.path().filename();
+          name.string().starts_with("tedit") && name != "tedit-cad-editor")
+        std::filesystem::create_symlink(one.path(), folder_.path() / name);
+    ::setenv("TEDIT_LIBEXEC", folder_.path().c_str(), 1);
+  }
+  without_editor(const without_editor&) = delete;
+  without_editor& operator=(const without_editor&) = delete;
+  ~without_editor() { ::unsetenv("TEDIT_LIBEXEC"); }
+
+private:
+  const scratch_folder folder_;
+};
+
 class CadOnAServer : public ::testing::Test {
 protected:
-  void SetUp() override {
+  static void SetUpTestSuite() {
+    ::setenv("TEDIT_CAD_PRIORITY", "normal", 1);
     if (!std::filesystem::exists(TEDIT_BIN "/tedit-cad-editor"))
-      GTEST_SKIP() << "this build has no OpenCASCADE";
-    std::filesystem::create_directories(documents());
+      return;
+    imported_ = std::make_unique<scratch_folder>();
     value(run_child({TEDIT_BIN "/tedit", "import", TEDIT_TEST_DATA "/cad/inch_block.stp", "--size",
-                     "coarse", "-o", (documents() / "block.tedit").string()},
+                     "coarse", "-o", (imported_->path() / "block.tedit").string()},
                     {}, {patience, 0}, {}));
   }
+  static void TearDownTestSuite() { imported_.reset(); }
+  void SetUp() override {
+    if (!imported_)
+      GTEST_SKIP() << "this build has no OpenCASCADE";
+    std::filesystem::create_directories(documents());
+    std::filesystem::copy_file(imported_->path() / "block.tedit", documents() / "block.tedit");
+  }
   [[nodiscard]] std::filesystem::path documents() const { return folder_.path() / "documents"; }
-  server_options options() const {
+  [[nodiscard]] server_options options() const {
     auto result = options_for(folder_, false);
     result.documents = documents();
     return result;
   }
 
+  static inline std::unique_ptr<scratch_folder> imported_;
   const scratch_folder folder_;
 };
 
@@ -105,8 +132,7 @@ TEST_F(CadOnAServer, EachVersionSaysHowItStandsOnTheModelAlsoAfterAKill) {
     value(user->edit("improve_mesh", {}, {}, {}));
     const auto third = mine.wait_for(3);
     ASSERT_TRUE(third && third->cad);
-    EXPECT_EQ(third->cad->reason,
-              "version 2 (deform) is in the mesh only: " + second->cad->reason);
+    EXPECT_EQ(third->cad->reason, "version 2 (deform) is in the mesh only: " + second->cad->reason);
 
     value(user->go_to(1));
     value(user->edit("thicken", {3}, {{"depth", 1e-3}}, {}));
@@ -155,14 +181,13 @@ TEST_F(CadOnAServer, WhatAKillLeftOpenIsDoneWhenTheDocumentIsOpenedAgain) {
 
 /// A server that has none, as its program was not built.
 TEST_F(CadOnAServer, WithoutItsProgramItSaysSoAndTheEditsGoOn) {
-  ::setenv("TEDIT_LIBEXEC", folder_.path().c_str(), 1);
+  const without_editor programs;
   told mine;
   const auto host = start(options());
   auto user = connect(host->url(), mine.handlers());
   value(user->open("block", false, false));
   value(user->edit("fill_hole", {8, 9}, {}, {}));
   const auto first = mine.wait_for(1);
-  ::unsetenv("TEDIT_LIBEXEC");
   ASSERT_TRUE(first && first->cad);
   EXPECT_EQ(first->cad->status, cad_status::failed);
   EXPECT_THAT(first->cad->reason, HasSubstr("tedit-cad-editor"));

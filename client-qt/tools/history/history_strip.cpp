@@ -12,6 +12,7 @@
 
 #include <algorithm>
 
+#include "client-qt/model/cad_words.hpp"
 #include "client-qt/model/quantities.hpp"
 #include "client-qt/tools/history/version_editor.hpp"
 #include "client-qt/widgets/small_picture.hpp"
@@ -28,11 +29,26 @@ constexpr int words_height = 60;
 constexpr int words_beside = 164;  // Their width, where they stand beside the picture.
 constexpr int small_height = 64;
 
+constexpr int cad_role = Qt::UserRole + 1;  // `client::cad_status`, of a part that came from CAD.
+
 /// Where branches share the room, words stand beside their picture.
 class card_delegate : public QStyledItemDelegate {
 public:
-  card_delegate(const bool& beside, QObject* parent)
-      : QStyledItemDelegate(parent), beside_(beside) {}
+  card_delegate(const bool& beside, const theme& look, QObject* parent)
+      : QStyledItemDelegate(parent), beside_(beside), look_(look) {}
+
+  void paint(QPainter* painter, const QStyleOptionViewItem& option,
+             const QModelIndex& index) const override {
+    QStyledItemDelegate::paint(painter, option, index);
+    if (const auto status = index.data(cad_role); status.isValid()) {
+      QStyleOptionViewItem full = option;
+      initStyleOption(&full, index);
+      const auto* style = full.widget->style();
+      paint_mark(*painter,
+                 style->subElementRect(QStyle::SE_ItemViewItemDecoration, &full, full.widget),
+                 static_cast<client::cad_status>(status.toInt()));
+    }
+  }
 
 protected:
   void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
@@ -45,7 +61,37 @@ protected:
   }
 
 private:
+  /// In the picture's corner, on a ground of its own: readable over a part of any colour. Only what
+  /// the CAD model lacks stands out.
+  void paint_mark(QPainter& painter, const QRect& picture, client::cad_status status) const {
+    const QString words = cad_mark_words({status, {}, 0});
+    if (words.isEmpty())
+      return;
+    const bool lacks =
+      status == client::cad_status::mesh_only || status == client::cad_status::failed;
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    QFont small = painter.font();
+    small.setBold(lacks);
+    small.setPixelSize(std::max(9, QFontInfo(small).pixelSize() * 4 / 5));
+    painter.setFont(small);
+    const QSize room = QFontMetrics(small).size(Qt::TextSingleLine, words) + QSize(10, 2);
+    const QRectF pill(QRectF(picture.topLeft() + QPoint(4, 4), room).adjusted(.5, .5, -.5, -.5));
+    QColor ground = look_.palette.color(QPalette::Base);
+    ground.setAlpha(225);
+    QColor ink = lacks ? look_.warning : look_.palette.color(QPalette::Text);
+    if (status == client::cad_status::pending)
+      ink.setAlpha(150);
+    painter.setBrush(ground);
+    painter.setPen(QPen(lacks ? look_.warning : look_.frame, 1));
+    painter.drawRoundedRect(pill, 3, 3);
+    painter.setPen(ink);
+    painter.drawText(pill, Qt::AlignCenter, words);
+    painter.restore();
+  }
+
   const bool& beside_;
+  const theme& look_;
 };
 
 double largest_stress(const version_record& version) {
@@ -70,7 +116,7 @@ history_strip::history_strip(document& part, QWidget* parent) : QListWidget(pare
   setTextElideMode(Qt::ElideRight);
   setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
   setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
-  setItemDelegate(new card_delegate(branches_, this));
+  setItemDelegate(new card_delegate(branches_, look_, this));
   setAccessibleName(tr("Versions"));
   setMinimumHeight(thumbnail.height() + words_height + 16);
   connect(&part_, &document::history_changed, this, &history_strip::refresh);
@@ -79,6 +125,11 @@ history_strip::history_strip(document& part, QWidget* parent) : QListWidget(pare
   connect(this, &QListWidget::itemDoubleClicked, this, [this](const QListWidgetItem* row) {
     emit version_wanted(row->data(Qt::UserRole).toUInt());
   });
+}
+
+void history_strip::set_theme(const theme& look) {
+  look_ = look;
+  viewport()->update();
 }
 
 void history_strip::keep(const std::string& version_id, const QImage& picture) {
@@ -145,6 +196,8 @@ QString history_strip::details(const version_record& version) const {
     lines.prepend(QString::fromStdString(version.info.name));
   if (!version.info.note.empty())
     lines << QString::fromStdString(version.info.note);
+  if (const auto cad = cad_words(version.info); !cad.isEmpty())
+    lines << cad;
   lines << tr("%1 tets").arg(desktop::count(static_cast<double>(version.info.tets)));
   if (const auto m = mass(version))
     lines << tr("mass %1").arg(desktop::mass(*m));
@@ -178,6 +231,9 @@ void history_strip::refresh() {
     auto* row = new QListWidgetItem(describe(version));
     row->setData(Qt::UserRole, number);
     row->setToolTip(details(version));
+    if (version.info.cad)
+      row->setData(cad_role, static_cast<int>(version.info.cad->status));
+    row->setData(Qt::AccessibleDescriptionRole, cad_words(version.info));
     row->setSizeHint(cell() - (branches_ ? QSize(way, 6) : QSize(way / 2, 4)));
     row->setTextAlignment(Qt::AlignHCenter | Qt::AlignTop);
     const QPixmap shown = picture_of(version);

@@ -9,18 +9,22 @@
 
 #include "client-qt/model/document.hpp"
 #include "client-qt/model/version_lanes.hpp"
+#include "client-qt/widgets/theme.hpp"
 
 namespace tedit::desktop {
 
 /// The versions of the document as a tree: edits go to the right, branches stand below. Each has a
 /// small picture and what changed: operation or name, largest stress, note, below it or, once there
-/// are branches, beside it. The head has a frame.
+/// are branches, beside it. The head has a frame. Of a part that came from CAD the picture says
+/// whether the CAD model has the version, too.
 /// Arrow keys go from place to place, Enter goes to a version, F2 names it.
 class history_strip : public QListWidget {
   Q_OBJECT
 
 public:
   explicit history_strip(document& part, QWidget* parent = nullptr);
+
+  void set_theme(const theme& look);
 
   /// A picture without a field counts while none with a field is asked for.
   [[nodiscard]] bool has_thumbnail(const std::string& version_id, bool with_field) const {
@@ -69,6 +73,7 @@ private:
   std::optional<std::uint32_t> head_;  ///< As it is shown.
   bool branches_ = false;
   bool placing_ = false;
+  theme look_;
 };
 
 }  // namespace tedit::desktop

@@ -2,6 +2,7 @@
 #include "client-qt/tools/history/history_tool.hpp"
 
 #include "client-qt/context/command_groups.hpp"
+#include "client-qt/model/cad_words.hpp"
 #include "client-qt/tools/history/history_strip.hpp"
 
 namespace tedit::desktop {
@@ -9,7 +10,21 @@ namespace tedit::desktop {
 history_tool::history_tool(window_context& in) : in_(in), strip_(new history_strip(in.part)) {
   in_.panels.add("history", tr("History"), strip_);
   connect(strip_, &history_strip::version_wanted, this, &history_tool::step_to);
+  connect(&in_.look, &appearance::changed, strip_, &history_strip::set_theme);
+  connect(&in_.part, &document::cad_known, this, &history_tool::tell_cad);
   add_commands();
+}
+
+/// Only what a person may want to take back: the marks in the history say the rest.
+void history_tool::tell_cad(const client::version_info& version) {
+  const auto& all = in_.part.versions();
+  const auto parent = version.parent ? all.find(*version.parent) : all.end();
+  const QString news =
+    cad_news(version, parent == all.end() ? std::nullopt : parent->second.info.cad);
+  if (news.isEmpty())
+    return;
+  in_.log.write(news);
+  in_.messages.show_warning(news);
 }
 
 void history_tool::add_commands() {

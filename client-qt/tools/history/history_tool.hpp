@@ -22,6 +22,7 @@ public:
 
 private:
   void add_commands();
+  void tell_cad(const client::version_info& version);
   [[nodiscard]] bool is_busy() const;
   void undo();
   void redo();

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "client-qt/model/cad_words.hpp"
 #include "client-qt/model/operation_words.hpp"
 #include "client-qt/model/quantities.hpp"
 #include "client-qt/model/receipt_words.hpp"
@@ -134,8 +135,10 @@ receipt_panel::receipt_panel(desktop::document& part, QWidget* parent)
 
 void receipt_panel::refresh() {
   const auto* head = part_.head();
-  setHtml(head && head->report ? receipt_html(*head->report)
-                               : "<p>" + tr("No edit has been made yet.") + "</p>");
+  const QString cad = head ? cad_words(head->info).toHtmlEscaped() : QString();
+  setHtml(head && head->report
+            ? receipt_html(*head->report) + (cad.isEmpty() ? QString() : "<p>" + cad + "</p>")
+            : "<p>" + tr("No edit has been made yet.") + "</p>");
 }
 
 }  // namespace tedit::desktop

@@ -31,6 +31,7 @@ class Server:
         self.environment = dict(os.environ)
         for variable in ("STATE", "CONFIG", "CACHE", "DATA"):
             self.environment[f"XDG_{variable}_HOME"] = self.folder.name
+        self.environment["TEDIT_CAD_PRIORITY"] = "normal"  # The machine is never idle while tests run.
         self.start(port=0)
 
     def start(self, port: int) -> None:
