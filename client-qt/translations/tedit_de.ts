@@ -77,6 +77,53 @@
     </message>
 </context>
 <context>
+    <name>cad</name>
+    <message>
+        <source>Being made on the CAD model</source>
+        <translation>Wird am CAD-Modell ausgeführt</translation>
+    </message>
+    <message>
+        <source>The part as the CAD model has it</source>
+        <translation>Das Teil, wie es das CAD-Modell hat</translation>
+    </message>
+    <message>
+        <source>On the CAD model, new vertices within %1</source>
+        <translation>Auch am CAD-Modell, neue Knoten höchstens %1 daneben</translation>
+    </message>
+    <message>
+        <source>In the mesh only: %1</source>
+        <translation>Nur im Netz: %1</translation>
+    </message>
+    <message>
+        <source>Not tried on the CAD model: %1</source>
+        <translation>Am CAD-Modell nicht versucht: %1</translation>
+    </message>
+    <message>
+        <source>CAD ...</source>
+        <comment>on a small picture: being made on the model</comment>
+        <translation>CAD ...</translation>
+    </message>
+    <message>
+        <source>CAD</source>
+        <comment>on a small picture: the model has it</comment>
+        <translation>CAD</translation>
+    </message>
+    <message>
+        <source>mesh only</source>
+        <comment>on a small picture: the CAD model has it not</comment>
+        <translation>nur Netz</translation>
+    </message>
+    <message>
+        <source>CAD ?</source>
+        <comment>on a small picture: not tried on the model</comment>
+        <translation>CAD ?</translation>
+    </message>
+    <message>
+        <source>Version %1. %2</source>
+        <translation>Version %1. %2</translation>
+    </message>
+</context>
+<context>
     <name>cad_import</name>
     <message>
         <source>meshing the CAD file</source>
@@ -216,6 +263,10 @@
     <message>
         <source>Boundary with colours</source>
         <translation>Oberfläche mit Farben</translation>
+    </message>
+    <message>
+        <source>Boundary for viewers (glTF)</source>
+        <translation>Oberfläche für Betrachter (glTF)</translation>
     </message>
 </context>
 <context>
@@ -8240,6 +8291,230 @@
         <source>free form</source>
         <translation>freie Form</translation>
     </message>
+    <message>
+        <source>%1 lies between surfaces %2 and %3</source>
+        <translation>%1 liegt zwischen den Flächen %2 und %3</translation>
+    </message>
+    <message>
+        <source>%1, its own faces</source>
+        <translation>%1, seine eigenen Flächen</translation>
+    </message>
+    <message>
+        <source>Give a point inside the surface that is meant</source>
+        <translation>Einen Punkt im Inneren der gemeinten Fläche angeben</translation>
+    </message>
+    <message>
+        <source>Give a point instead, at_mm</source>
+        <translation>Stattdessen einen Punkt angeben, at_mm</translation>
+    </message>
+    <message>
+        <source>Give a point on the surface that is meant, or a larger within_mm</source>
+        <translation>Einen Punkt auf der gemeinten Fläche angeben, oder ein größeres within_mm</translation>
+    </message>
+    <message>
+        <source>Give a shorter one</source>
+        <translation>Einen kürzeren angeben</translation>
+    </message>
+    <message>
+        <source>Give the edit that makes them &quot;label&quot;: &quot;%1&quot;</source>
+        <translation>Der Bearbeitung, die sie macht, &quot;label&quot;: &quot;%1&quot; geben</translation>
+    </message>
+    <message>
+        <source>Its surfaces are 1 to %1; &quot;tedit import PART --json&quot; lists them with their names</source>
+        <translation>Seine Flächen sind 1 bis %1; „tedit import PART --json“ nennt sie mit ihren Namen</translation>
+    </message>
+    <message>
+        <source>Try again when less runs on it</source>
+        <translation>Noch einmal versuchen, wenn weniger auf ihm läuft</translation>
+    </message>
+    <message>
+        <source>a face of it, around %1, is nowhere in the mesh</source>
+        <translation>eine Fläche des Modells bei %1 gibt es im Netz nicht</translation>
+    </message>
+    <message>
+        <source>a triangle of surface %1 at %2 is %3 off its faces</source>
+        <translation>ein Dreieck der Fläche %1 bei %2 liegt %3 neben den Flächen des Modells</translation>
+    </message>
+    <message>
+        <source>as it was</source>
+        <translation>wie es war</translation>
+    </message>
+    <message>
+        <source>both sides</source>
+        <translation>beide Seiten</translation>
+    </message>
+    <message>
+        <source>comparing &quot;%1&quot; with the mesh</source>
+        <translation>„%1“ mit dem Netz vergleichen</translation>
+    </message>
+    <message>
+        <source>deform bends walls point by point: there is no plane, cylinder or other surface of CAD that they would be</source>
+        <translation>deform biegt Wände Punkt für Punkt: keine Ebene, kein Zylinder und keine andere CAD-Fläche hat ihre Form</translation>
+    </message>
+    <message>
+        <source>it cannot be done so</source>
+        <translation>so geht es nicht</translation>
+    </message>
+    <message>
+        <source>it has %1 solids, the mesh %2 bodies</source>
+        <translation>es hat %1 Volumenkörper, das Netz %2 Körper</translation>
+    </message>
+    <message>
+        <source>it has %1 solids, the model before %2</source>
+        <translation>es hat %1 Volumenkörper, das Modell davor %2</translation>
+    </message>
+    <message>
+        <source>its face at %1 is %2 off the mesh</source>
+        <translation>seine Fläche bei %1 liegt %2 neben dem Netz</translation>
+    </message>
+    <message>
+        <source>its own faces</source>
+        <translation>seine eigenen Flächen</translation>
+    </message>
+    <message>
+        <source>its volume changes by %1 mm3, the mesh&apos;s by %2</source>
+        <translation>sein Volumen ändert sich um %1 mm3, das des Netzes um %2</translation>
+    </message>
+    <message>
+        <source>layers of tets were taken off, which is no length</source>
+        <translation>es wurden Lagen von Tetraedern abgetragen, das ist keine Länge</translation>
+    </message>
+    <message>
+        <source>listing the operations</source>
+        <translation>Operationen auflisten</translation>
+    </message>
+    <message>
+        <source>neighbours extended</source>
+        <translation>Nachbarn verlängert</translation>
+    </message>
+    <message>
+        <source>no edit so far was labelled &quot;%1&quot;</source>
+        <translation>bisher hatte keine Bearbeitung das Kennwort „%1“</translation>
+    </message>
+    <message>
+        <source>no file was given</source>
+        <translation>es wurde keine Datei angegeben</translation>
+    </message>
+    <message>
+        <source>no surface is called &quot;%1&quot;</source>
+        <translation>keine Fläche heißt „%1“</translation>
+    </message>
+    <message>
+        <source>no wall was given</source>
+        <translation>es wurde keine Wand genannt</translation>
+    </message>
+    <message>
+        <source>of what the edit &quot;%1&quot; made no surface is called &quot;%2&quot;</source>
+        <translation>von dem, was die Bearbeitung „%1“ machte, heißt keine Fläche „%2“</translation>
+    </message>
+    <message>
+        <source>of what the edit &quot;%1&quot; made no surface is left</source>
+        <translation>von dem, was die Bearbeitung „%1“ machte, ist keine Fläche übrig</translation>
+    </message>
+    <message>
+        <source>outlines dropped</source>
+        <translation>Umrisse weggelassen</translation>
+    </message>
+    <message>
+        <source>reading the CAD model</source>
+        <translation>CAD-Modell lesen</translation>
+    </message>
+    <message>
+        <source>reading the shape</source>
+        <translation>Form lesen</translation>
+    </message>
+    <message>
+        <source>surface %1 of the mesh is no face of it</source>
+        <translation>Fläche %1 des Netzes ist keine Fläche des Modells</translation>
+    </message>
+    <message>
+        <source>the CAD model of version %1 is gone</source>
+        <translation>das CAD-Modell von Version %1 fehlt</translation>
+    </message>
+    <message>
+        <source>the copy was cancelled</source>
+        <translation>die Kopie wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>the document does not say how it was made</source>
+        <translation>das Dokument sagt nicht, wie sie entstanden ist</translation>
+    </message>
+    <message>
+        <source>the edit &quot;%1&quot; made no surface of its own</source>
+        <translation>die Bearbeitung „%1“ machte keine eigene Fläche</translation>
+    </message>
+    <message>
+        <source>the edit on the CAD model</source>
+        <translation>die Änderung am CAD-Modell</translation>
+    </message>
+    <message>
+        <source>the edit on the CAD model was cancelled</source>
+        <translation>die Änderung am CAD-Modell wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>the edited shape cannot be written</source>
+        <translation>die geänderte Form lässt sich nicht schreiben</translation>
+    </message>
+    <message>
+        <source>the machine was too busy to make the edit on the CAD model within %1 s</source>
+        <translation>der Rechner war zu beschäftigt, um die Änderung in %1 s am CAD-Modell auszuführen</translation>
+    </message>
+    <message>
+        <source>the mesh&apos;s vertex at %1 on surface %2 is %3 off its faces</source>
+        <translation>der Knoten des Netzes bei %1 auf Fläche %2 liegt %3 neben den Flächen des Modells</translation>
+    </message>
+    <message>
+        <source>the mesh&apos;s vertex at %1 on surface %2 is more than %3 off its faces</source>
+        <translation>der Knoten des Netzes bei %1 auf Fläche %2 liegt mehr als %3 neben den Flächen des Modells</translation>
+    </message>
+    <message>
+        <source>the nearest surface to %1, %2, is %3 mm away</source>
+        <translation>die nächste Fläche zu %1, %2, ist %3 mm entfernt</translation>
+    </message>
+    <message>
+        <source>the operation %1 is a plugin&apos;s, which works on meshes: what it does to a CAD model is not known</source>
+        <translation>die Operation %1 gehört einem Plugin, das an Netzen arbeitet: was sie an einem CAD-Modell täte, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>the part has no surface &quot;%1&quot; to give a size of its own</source>
+        <translation>das Teil hat keine Fläche „%1“, die eine eigene Größe bekommen könnte</translation>
+    </message>
+    <message>
+        <source>the part is too large for a GLB file, which ends at 4 GiB</source>
+        <translation>das Teil ist zu groß für eine GLB-Datei, die bei 4 GiB endet</translation>
+    </message>
+    <message>
+        <source>the surfaces are no faces of the CAD model any more</source>
+        <translation>die Flächen sind keine Flächen des CAD-Modells mehr</translation>
+    </message>
+    <message>
+        <source>the text is longer than 200 bytes</source>
+        <translation>der Text ist länger als 200 Bytes</translation>
+    </message>
+    <message>
+        <source>the tool in the edit&apos;s folder is damaged</source>
+        <translation>das Werkzeug im Ordner der Bearbeitung ist beschädigt</translation>
+    </message>
+    <message>
+        <source>the wall is no cylinder in the mesh</source>
+        <translation>die Wand ist im Netz kein Zylinder</translation>
+    </message>
+    <message>
+        <source>version %1 (%2) is in the mesh only: %3</source>
+        <translation>Version %1 (%2) ist nur im Netz: %3</translation>
+    </message>
+    <message>
+        <source>version %1 is in the mesh only</source>
+        <translation>Version %1 ist nur im Netz</translation>
+    </message>
+    <message>
+        <source>walls moved inward</source>
+        <translation>Wände nach innen versetzt</translation>
+    </message>
+    <message>
+        <source>what came of the edit cannot be written</source>
+        <translation>was bei der Änderung herauskam, lässt sich nicht schreiben</translation>
+    </message>
 </context>
 <context>
     <name>server_lists</name>
@@ -10677,6 +10952,10 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
     <message>
         <source>%1 is deleted.</source>
         <translation>%1 ist gelöscht.</translation>
+    </message>
+    <message>
+        <source>Copy of %1</source>
+        <translation>Kopie von %1</translation>
     </message>
 </context>
 <context>
