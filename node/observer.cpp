@@ -72,7 +72,7 @@ void finish(listener_pointer self, taken promise, const std::optional<error>& wh
 
 /// Calls `tell` on the observer's thread.
 void tell_on_thread(listener_pointer self, const taken& promise,
-                    std::function<std::optional<error>()> tell) {
+                    const std::function<std::optional<error>()>& tell) {
   auto outcome = std::make_shared<std::optional<error>>();
   job_task task{[=] {
     try {
@@ -89,7 +89,7 @@ void tell_on_thread(listener_pointer self, const taken& promise,
 /// Fetches first what `tell` needs.
 void tell_with_pages(listener_pointer self, const taken& promise, const caf::actor& source,
                      const hash_list& ids,
-                     std::function<std::optional<error>(const page_set&)> tell) {
+                     const std::function<std::optional<error>(const page_set&)>& tell) {
   self->request(self->state.pages, fetch_limit, fetch_atom::value, source, ids)
     .then(
       [=](const page_set& pages) { tell_on_thread(self, promise, [=] { return tell(pages); }); },

@@ -83,7 +83,7 @@ struct door::impl {
   void note_knock(const std::string& owner, const tl::expected<link_peer, tls_failure>& result);
   void make_room();
   void shaken_hands(std::uint64_t number, tl::expected<link_peer, tls_failure> result);
-  void make_link_of(std::uint64_t number, std::shared_ptr<bridge> line, link_peer who);
+  void make_link_of(std::uint64_t number, const std::shared_ptr<bridge>& line, link_peer who);
   void ended(std::uint64_t number);
   void turn_away(refusal why, const std::string& who);
   void look_at_files();
@@ -214,7 +214,8 @@ void door::impl::shaken_hands(std::uint64_t number, tl::expected<link_peer, tls_
   known.mapped().line->cut(refusal::full);
 }
 
-void door::impl::make_link_of(std::uint64_t number, std::shared_ptr<bridge> line, link_peer who) {
+void door::impl::make_link_of(std::uint64_t number, const std::shared_ptr<bridge>& line,
+                              link_peer who) {
   auto ends = make_link();
   if (!ends) {
     spdlog::error("door: {} ({}): {}", who.name, who.address, render(ends.error()));
