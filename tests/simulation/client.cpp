@@ -369,6 +369,7 @@ void simulated_client::note_head(const v1::Committed& moved) {
 /// Once for each version, as long as it has the document open.
 void simulated_client::note_cad(const v1::CadStateChanged& known) {
   const auto status = known.version().cad().status();
+  ++past_.cad[status];
   if (status == v1::CadState::PENDING || status == v1::CadState::STATUS_UNSPECIFIED)
     fault("was told of a CAD state that is not known yet");
   if (seen_ && known.document() == document_ &&

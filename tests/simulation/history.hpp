@@ -36,6 +36,7 @@ struct history {
   std::map<std::string, int> copied;   ///< By name: how many copies were acknowledged.
   std::map<std::string, int> deleted;  ///< By name: how many deletions were acknowledged.
   std::map<std::string, int> errors;   ///< By code: how many requests.
+  std::map<int, int> cad;              ///< By `v1::CadState::Status`: how many states were told.
   std::vector<std::string> faults;     ///< What must not happen, and did.
   std::uint64_t answers = 0;
 };

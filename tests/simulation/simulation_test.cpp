@@ -6,6 +6,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include "tedit/v1/session.pb.h"
 #include "tests/simulation/world.hpp"
 
 namespace tedit::simulation {
@@ -26,13 +27,19 @@ protected:
 
 TEST_F(Simulation, KeepsItsPromisesForManySeeds) {
   std::uint64_t answers = 0;
+  std::map<int, int> cad;
   for (std::uint64_t seed = 1; seed <= 500; ++seed) {
     const auto all = make_scenario(seed);
     const auto result = play(all, folder_);
     answers += result.answers;
+    for (const auto& [status, count] : result.cad)
+      cad[status] += count;
     ASSERT_THAT(result.faults, IsEmpty()) << describe(all);
   }
   EXPECT_GT(answers, 10'000U);  // A simulation in which nobody is answered finds nothing.
+  EXPECT_GT(cad[v1::CadState::SAME], 200);
+  EXPECT_GT(cad[v1::CadState::MESH_ONLY], 50);
+  EXPECT_GT(cad[v1::CadState::FAILED], 5);
 }
 
 /// One client and these steps, with twenty orders of events.

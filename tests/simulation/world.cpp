@@ -47,7 +47,7 @@ public:
     clients_.clear();
     server_.reset();
     check_documents();
-    return {past_.faults, steps_, past_.answers, trace_, time_.now(), past_.errors};
+    return {past_.faults, steps_, past_.answers, trace_, time_.now(), past_.errors, past_.cad};
   }
 
 private:

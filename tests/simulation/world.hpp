@@ -16,6 +16,7 @@ struct outcome {
   std::uint64_t trace = 0;            ///< Two runs of one scenario have one.
   milliseconds lasted{0};             ///< In virtual time.
   std::map<std::string, int> errors;  ///< Codes of refusals.
+  std::map<int, int> cad;             ///< States on CAD models that were told, by their numbers.
 };
 
 /// A folder of this process for `play`: in memory where there is such a file system, as nothing is

@@ -137,7 +137,7 @@ void receipt_panel::refresh() {
   const auto* head = part_.head();
   const QString cad = head ? cad_words(head->info).toHtmlEscaped() : QString();
   setHtml(head && head->report
-            ? receipt_html(*head->report) + (cad.isEmpty() ? QString() : "<p>" + cad + "</p>")
+            ? (cad.isEmpty() ? QString() : "<p>" + cad + "</p>") + receipt_html(*head->report)
             : "<p>" + tr("No edit has been made yet.") + "</p>");
 }
 
