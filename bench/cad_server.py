@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Whether who edits notices that a server makes the edits on the CAD model, too.
 
-usage: bench/cad_server.py CAD_FILE LOAD_CASE --wall ID [--size coarse] [--edits 8] [--rounds 4] [--jobs 1] [--program build/release/bin/tedit]
+usage: bench/cad_server.py CAD_FILE LOAD_CASE --wall ID [--size coarse] [--edits 8] [--rounds 4] [--jobs 1] [--pause 0] [--program build/release/bin/tedit]
 
 Two servers with the same document from a CAD file, one of which makes edits on the model (work.cad_jobs 1 and 0). In turn a client of each
 thickens a wall EDITS times, each time by another depth, waits for the field and takes that back; it does not wait for the model, so that
@@ -63,8 +63,9 @@ class Server:
         return client
 
 
-async def one_edit(client, wall, depth, times):
+async def one_edit(client, wall, depth, pause, times):
     """An edit and its undo."""
+    await asyncio.sleep(pause)
     value = operation.ParameterValue(real=depth)
     began = time.perf_counter()
     made = await client.ask("apply_edit", operation="thicken", surfaces=[wall], parameters={"depth": value})
@@ -96,7 +97,9 @@ async def measure(options, servers):
     for turn in range(-1, options.rounds):  # The first one warms up.
         for name, client in clients.items():
             took = {what: [] for what in ("acknowledged", "edit to field", "undo to field", "last one known")}
-            heads = [await one_edit(client, options.wall, 1e-3 + 1e-6 * (1 + turn * options.edits + n), took) for n in range(options.edits)]
+            heads = []
+            for n in range(options.edits):
+                heads.append(await one_edit(client, options.wall, 1e-3 + 1e-6 * (1 + turn * options.edits + n), options.pause, took))
             if heads[0].HasField("cad"):
                 await wait_known(client, heads, took)
             if turn >= 0:
@@ -119,6 +122,7 @@ def main():
     parser.add_argument("--size", default="coarse")
     parser.add_argument("--edits", type=int, default=8)
     parser.add_argument("--rounds", type=int, default=4)
+    parser.add_argument("--pause", type=float, default=0, help="seconds before each edit")
     parser.add_argument("--jobs", type=int, default=1, help="of the first server; with 0 both do the same")
     parser.add_argument("--program", default=str(ROOT / "build/release/bin/tedit"))
     options = parser.parse_args()
