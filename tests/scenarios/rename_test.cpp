@@ -193,7 +193,12 @@ TEST_F(Rename, WhatIsRefusedOfAClosedOneSaysWhyAndChangesNothing) {
   EXPECT_EQ(why.code, ec::storage_error);
   EXPECT_THAT(why.message, HasSubstr("letter.tedit is not a database"));
   {
-    const auto elsewhere = store::document_lock::take(documents.path() / "cube.tedit");
+    auto elsewhere = store::document_lock::take(documents.path() / "cube.tedit");
+    // The server may still be closing what it opened to find the name taken.
+    for (const auto until = std::chrono::steady_clock::now() + patience;
+         !elsewhere && std::chrono::steady_clock::now() < until;
+         elsewhere = store::document_lock::take(documents.path() / "cube.tedit"))
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
     ASSERT_TRUE(elsewhere.has_value());
     why = refused("cube", "fin");
     EXPECT_EQ(why.code, ec::conflict);
@@ -202,6 +207,9 @@ TEST_F(Rename, WhatIsRefusedOfAClosedOneSaysWhyAndChangesNothing) {
   }
 
   EXPECT_EQ(names(), before);
+  for (const auto until = std::chrono::steady_clock::now() + patience;
+       value(user->status()).documents > 0 && std::chrono::steady_clock::now() < until;)
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
   EXPECT_EQ(value(user->status()).documents, 0U);
   value(user->rename_on_server("cube", "fin"));
   EXPECT_EQ(value(user->open("fin", false, false)).head->number, 0U);
