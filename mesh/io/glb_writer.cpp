@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "mesh/io/compaction.hpp"
+#include "mesh/io/file_boundary.hpp"
 #include "mesh/io/formats.hpp"
 
 // glTF 2.0, sections 3 (the JSON) and 4 (the binary file).
@@ -29,7 +29,6 @@ constexpr std::size_t chunk_header_bytes = 8;
 constexpr int type_uint = 5125, type_ushort = 5123, type_float = 5126;
 constexpr int target_vertices = 34962, target_indices = 34963;
 
-constexpr byte_colour colour_of_none{176, 176, 176};
 constexpr byte_colour white{255, 255, 255};
 
 /// glTF has light, not what screens are given (IEC 61966-2-1).
@@ -42,7 +41,7 @@ double light_of(std::uint8_t value) {
 struct patch {
   std::string name;
   json extras;
-  byte_colour colour = colour_of_none;
+  byte_colour colour{};
   std::vector<std::uint32_t> corners;
 };
 
@@ -52,10 +51,8 @@ patch patch_of_surface(const mesh_version& mesh, const file_colours& colours, su
   result.name =
     row && !row->name.empty() ? row->name : std::string("surface ") + std::to_string(surface);
   result.extras = {{"surface", surface}};
-  if (!colours.of_vertices.empty())
-    result.colour = white;  // It is multiplied with those of the vertices.
-  else if (const auto found = colours.of_surfaces.find(surface); found != colours.of_surfaces.end())
-    result.colour = found->second;
+  // White is multiplied with the colours of the vertices.
+  result.colour = colours.of_vertices.empty() ? colour_of_surface(colours, surface) : white;
   return result;
 }
 
@@ -212,13 +209,7 @@ bool glb::recognises(std::span<const char> bytes) {
 
 expected<void> glb::write(const file_target& to, const mesh_version& mesh,
                           const file_terms& terms) {
-  std::vector<bool> on_boundary(mesh.vertex_slots());
-  for (facet_id f = 0; f < mesh.facet_slots(); ++f)
-    if (mesh.is_live_facet(f))
-      for (const auto v : mesh.facet(f).v)
-        on_boundary[v] = true;
-  const auto vertices = compact(mesh.vertex_slots(), mesh.data().vertex_order,
-                                [&](vertex_id v) -> bool { return on_boundary[v]; });
+  const auto vertices = boundary_vertices_of_file(mesh);
   const auto positions = positions_of(mesh, vertices);
   const auto colours = colours_of(terms.colours, vertices);
   const auto patches = patches_of(mesh, terms.colours, vertices);

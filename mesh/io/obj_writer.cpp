@@ -4,7 +4,7 @@
 #include <ostream>
 
 #include "base/units.hpp"
-#include "mesh/io/compaction.hpp"
+#include "mesh/io/file_boundary.hpp"
 #include "mesh/io/formats.hpp"
 
 namespace tedit {
@@ -49,17 +49,13 @@ expected<void> obj::write(const file_target& to, const mesh_version& mesh,
   const auto unit = metres_per_unit(terms.length_unit);
   if (!unit)
     return fail(unit.error());
-  std::vector<bool> on_boundary(mesh.vertex_slots());
   std::map<surface_id, std::vector<facet_id>> groups;
   for (facet_id f = 0; f < mesh.facet_slots(); ++f) {
     if (!mesh.is_live_facet(f))
       continue;
     groups[mesh.facet(f).surface].push_back(f);
-    for (const auto v : mesh.facet(f).v)
-      on_boundary[v] = true;
   }
-  const auto vertices = compact(mesh.vertex_slots(), mesh.data().vertex_order,
-                                [&](vertex_id v) -> bool { return on_boundary[v]; });
+  const auto vertices = boundary_vertices_of_file(mesh);
   return to.write([&](std::ostream& out) {
     out.precision(15);  // Of what an edit or a file gave; more digits would be those of its unit.
     out << "# TEdit boundary, unit " << terms.length_unit << '\n';

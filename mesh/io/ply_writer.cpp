@@ -2,14 +2,12 @@
 #include <ostream>
 
 #include "base/units.hpp"
-#include "mesh/io/compaction.hpp"
+#include "mesh/io/file_boundary.hpp"
 #include "mesh/io/formats.hpp"
 
 namespace tedit {
 
 namespace {
-
-constexpr byte_colour colour_of_none{176, 176, 176};
 
 template <class Items>
 void put_bytes(std::ostream& out, const Items& items) {
@@ -28,11 +26,6 @@ void put_ply_header(std::ostream& out, const std::string& unit, std::size_t vert
       << (colours.of_surfaces.empty() && colours.of_facets.empty() ? "" : rgb) << "end_header\n";
 }
 
-const byte_colour& colour_of_surface(const file_colours& colours, surface_id surface) {
-  const auto found = colours.of_surfaces.find(surface);
-  return found == colours.of_surfaces.end() ? colour_of_none : found->second;
-}
-
 }  // namespace
 
 namespace formats {
@@ -48,13 +41,7 @@ expected<void> ply::write(const file_target& to, const mesh_version& mesh,
   if (!unit)
     return fail(unit.error());
   const auto& colours = terms.colours;
-  std::vector<bool> on_boundary(mesh.vertex_slots());
-  for (facet_id f = 0; f < mesh.facet_slots(); ++f)
-    if (mesh.is_live_facet(f))
-      for (const auto v : mesh.facet(f).v)
-        on_boundary[v] = true;
-  const auto vertices = compact(mesh.vertex_slots(), mesh.data().vertex_order,
-                                [&](vertex_id v) -> bool { return on_boundary[v]; });
+  const auto vertices = boundary_vertices_of_file(mesh);
   return to.write([&](std::ostream& out) {
     put_ply_header(out, terms.length_unit, vertices.slots.size(), mesh.facet_count(), colours);
     for (const auto v : vertices.slots) {
