@@ -268,8 +268,8 @@ struct context {
   /// the conformance kit tells of a check. The host puts the operation's name before it.
   /// Thread-safe; never empty.
   std::function<void(std::string_view)> log = [](std::string_view) {};
-  /// How long a refusal may look for what would work instead, beside the time of one trial; 0: not
-  /// at all, as for a preview, whose answer must come at once.
+  /// How long a refusal may look for what would work instead, s, beside the edit itself;
+  /// 0: not at all, as for a preview, whose answer must come at once.
   double search_s = 0;
 };
 

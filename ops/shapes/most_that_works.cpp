@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "base/stopwatch.hpp"
+#include "base/time_limit.hpp"
 #include "mesh/finish_edit.hpp"
 #include "mesh/quality.hpp"
 
@@ -66,16 +66,14 @@ struct finding {
 class search {
 public:
   search(const version_ptr& mesh, const value_trial& trial, context& ctx)
-      : mesh_(mesh), trial_(trial), ctx_(ctx) {
-    quiet_.cancel = ctx.run.cancel;
+      : mesh_(mesh), trial_(trial), ctx_(ctx), limit_(ctx.run.cancel, ctx.search_s) {
+    quiet_.cancel = limit_.token();
   }
-
-  [[nodiscard]] bool is_over() const { return clock_.milliseconds() > 1e3 * ctx_.search_s; }
 
   /// A little more than was refused, where that works. Errors: `cancelled`.
   expected<std::optional<double>> above(double refused) {
     int n = below(refused) + 1;
-    for (int i = 0; i < trials_above && !is_over();) {
+    for (int i = 0; i < trials_above;) {
       ++n;
       if (!std::ranges::count(coarse, digits_of(n)))
         continue;
@@ -83,7 +81,7 @@ public:
       const auto good = works(n);
       if (!good)
         return fail(good.error());
-      if (*good)
+      if (good->value_or(false))
         return std::optional(typed_value(n));
     }
     return std::optional<double>();
@@ -94,12 +92,12 @@ public:
     int above = below(refused) + 1;
     int n = coarse_from(above - 1);
     for (int i = 0; i < coarse_trials; ++i, n = coarse_from(n - 1)) {
-      if (is_over())
-        return finding{{}, false};
       const auto good = works(n);
       if (!good)
         return fail(good.error());
-      if (*good)
+      if (!*good)
+        return finding{{}, false};
+      if (**good)
         return refine(n, above);
       above = n;
     }
@@ -109,32 +107,35 @@ public:
 private:
   expected<finding> refine(int good, int bad) {
     while (bad - good > 1) {
-      if (is_over())
-        return finding{typed_value(good), false};
       const int middle = good + (bad - good) / 2;
       const auto held = works(middle);
       if (!held)
         return fail(held.error());
-      (*held ? good : bad) = middle;
+      if (!*held)
+        return finding{typed_value(good), false};
+      (**held ? good : bad) = middle;
     }
     return finding{typed_value(good), true};
   }
 
-  expected<bool> works(int n) {
+  /// Nothing where the time was over before that was known.
+  expected<std::optional<bool>> works(int n) {
     context ctx = ctx_;
     ctx.run = quiet_;
     const auto result = trial_(typed_value(n), ctx);
     const auto done = result ? passes(mesh_, *result, quiet_) : fail(result.error());
-    if (!done && (done.error().code == ec::cancelled || quiet_.cancel.cancelled()))
+    if (ctx_.run.cancel.cancelled())
       return fail(ec::cancelled, "the edit was cancelled");
+    if (!done && quiet_.cancel.cancelled())
+      return std::optional<bool>();
     return done.has_value();
   }
 
   const version_ptr& mesh_;
   const value_trial& trial_;
   context& ctx_;
+  time_limit limit_;
   execution quiet_;
-  stopwatch clock_;
 };
 
 /// Says in the refusal what was found.

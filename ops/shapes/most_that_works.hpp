@@ -28,10 +28,11 @@ struct asked_value {
 
 /// Runs `trial` with the value that was asked for. Where that is refused with an error that has no
 /// remedy of its own, the most that works is looked for, for as long as `context::search_s` lets
-/// it, and told: one of the same values whatever was asked for, at most 15 % below the limit, and
-/// tried to the end. Where the time is over before the limit is found, a value that works is told
-/// as no more than that. Where the mesh came out too bad and a larger value does better, that is
-/// the remedy. Errors: those of the trial, with a remedy. Cost: a refusal costs 3 to 13 trials.
+/// it (a trial that takes longer is ended), and told: one of the same values whatever was asked
+/// for, at most 15 % below the limit, and tried to the end. Where the time is over before the limit
+/// is found, a value that works is told as no more than that. Where the mesh came out too bad and a
+/// larger value does better, that is the remedy. Errors: those of the trial, with a remedy. Cost: a
+/// refusal costs 3 to 13 trials.
 [[nodiscard]] expected<edit_result> at_most(const version_ptr& mesh, const asked_value& asked,
                                             const value_trial& trial, context& ctx);
 
