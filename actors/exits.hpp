@@ -3,8 +3,9 @@
 
 #include <functional>
 
-#include <spdlog/spdlog.h>
 #include <caf/scheduled_actor.hpp>
+
+#include "base/logging/logging.hpp"
 
 namespace tedit::actors {
 
@@ -21,7 +22,7 @@ inline void heed_only_own_exits(caf::scheduled_actor* self,
                                 const std::function<void()>& before = {}) {
   self->set_exit_handler([=](caf::exit_msg& message) {
     if (message.source && message.source.node() != self->node()) {
-      spdlog::warn("{}: another node asked it to end; it goes on", self->name());
+      logging::warn("{}: another node asked it to end; it goes on", self->name());
       return;
     }
     if (!message.reason)

@@ -14,9 +14,8 @@
 #include <string>
 #include <vector>
 
-#include <spdlog/spdlog.h>
-
 #include "actors/node/server.hpp"
+#include "base/logging/logging.hpp"
 #include "certs/authority.hpp"
 #include "client/client.hpp"
 #include "tests/support/scratch.hpp"
@@ -112,7 +111,7 @@ struct figures {
 };
 
 void run(const std::string& mesh, int rounds, const std::vector<std::string>& others) {
-  spdlog::set_level(spdlog::level::warn);
+  logging::set_level("warn");
   std::map<std::string, std::unique_ptr<line>> lines;
   lines["ws"] = std::make_unique<line>(mesh, false);
   lines["wss"] = std::make_unique<line>(mesh, true);

@@ -12,7 +12,6 @@
 #include <string>
 #include <vector>
 
-#include <spdlog/spdlog.h>
 #include <caf/event_based_actor.hpp>
 #include <caf/scoped_actor.hpp>
 #include <caf/send.hpp>
@@ -22,6 +21,7 @@
 #include "actors/links/door.hpp"
 #include "actors/links/link.hpp"
 #include "actors/node/system_config.hpp"
+#include "base/logging/logging.hpp"
 #include "certs/authority.hpp"
 #include "tests/support/scratch.hpp"
 
@@ -123,7 +123,7 @@ void run(int rounds) {
 }  // namespace tedit
 
 int main(int argc, char** argv) {
-  spdlog::set_level(spdlog::level::warn);
+  logging::set_level("warn");
   try {
     tedit::run(argc > 1 ? std::max(1, std::atoi(argv[1])) : 10);
   } catch (const std::exception& e) {

@@ -75,7 +75,7 @@ async def enter(socket, host):
 
 async def edit_often(server, host, surfaces, given):
     choose = random.Random(7)
-    made, refused, block, away = 0, 0, [], {}
+    made, refused, block, away = 0, [], [], {}
     print("edits  median ms  document MiB  server MiB  workers MiB")
     while made < given.edits:
         surface = choose.choice(surfaces)
@@ -87,7 +87,7 @@ async def edit_often(server, host, surfaces, given):
         try:
             await server.ask("apply_edit", parameters={"depth_mm": parameter}, **request)
         except hole_study.Refused:
-            refused += 1
+            refused.append(time.perf_counter() - started)
             continue
         block.append((time.perf_counter() - started) * 1e3)
         made += 1
@@ -98,7 +98,7 @@ async def edit_often(server, host, surfaces, given):
             print(f"{made:5}  {statistics.median(block):9.1f}  {host.document_mib():12.1f}  {memory[0]:10.0f}  {memory[1]:11.0f}",
                   flush=True)
             block = []
-    print(f"{refused} refused besides")
+    print(f"{len(refused)} refused besides" + (f", median {statistics.median(refused):.1f} s, longest {max(refused):.1f} s" if refused else ""))
 
 
 async def jump(server, versions):

@@ -9,10 +9,10 @@
 
 #include "base/child_process.hpp"
 #include "base/forked_call.hpp"
+#include "base/logging/logging.hpp"
 #include "cad/program.hpp"
 #include "cli/command.hpp"
 #include "cli/config.hpp"
-#include "cli/logging.hpp"
 #include "cli/node_checks.hpp"
 #include "cli/server_checks.hpp"
 #include "fem/solver.hpp"
@@ -95,7 +95,7 @@ std::vector<check_row> check_all(const doctor_options& options, const cancel_tok
 int run_doctor(const doctor_options& options, session& s) {
   utsname system{};
   uname(&system);
-  start_logging("warn");  // What joining notes is in the rows.
+  logging::start("warn");  // What joining notes is in the rows.
   auto rows = check_all(options, s.cancel);
   nlohmann::ordered_json json{{"version", TEDIT_VERSION},
                               {"system", std::string(system.sysname) + " " + system.release},

@@ -5,10 +5,10 @@
 
 #include <CLI/CLI.hpp>
 
+#include "base/logging/logging.hpp"
 #include "base/stopwatch.hpp"
 #include "cli/embedded_server.hpp"
 #include "cli/family_run.hpp"
-#include "cli/logging.hpp"
 #include "cli/recipe_runner.hpp"
 #include "cli/server_access.hpp"
 
@@ -97,7 +97,7 @@ int run_table(const run_options& options, session& s) {
 }
 
 int run_recipe(const run_options& options, session& s) {
-  start_logging("warn");
+  logging::start("warn");
   if (!options.table.empty())
     return run_table(options, s);
   if (!options.report.empty() || options.jobs > 0)

@@ -5,15 +5,14 @@
 #include <fstream>
 #include <memory>
 
-#include <spdlog/spdlog.h>
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "actors/node/server.hpp"
+#include "base/logging/logging.hpp"
 #include "cli/command.hpp"
 #include "cli/config.hpp"
 #include "cli/config_options.hpp"
-#include "cli/logging.hpp"
 #include "cli/service_notice.hpp"
 #include "cli/token.hpp"
 #include "sandbox/sandbox.hpp"
@@ -54,7 +53,7 @@ server_options to_server_options(const server_config& config) {
                                            : config.sandbox == "auto" && sandbox::is_wanted();
   if (config.sandbox == "auto" && !options.sandbox && !sandbox::is_switched_off())
     if (const auto can = sandbox::check(); !can)
-      spdlog::warn("{}", render(can.error()));
+      logging::warn("{}", render(can.error()));
   options.modeling_memory_mb = static_cast<unsigned>(config.modeling_memory_mb);
   options.import_limit = limit(config.import_timeout_s);
   options.edit_limit = limit(config.edit_timeout_s);
@@ -86,7 +85,7 @@ int run_serve(const serve_options& given, session& s) {
   const auto config = effective_config(given.config);
   if (!config)
     return print_error(s, config.error());
-  start_logging(s.quiet ? "warn" : config->log_level);
+  logging::start(s.quiet ? "warn" : config->log_level);
   auto options = to_server_options(*config);
   options.worker_processes = !given.in_process;
   const auto documents = documents_folder(*config);

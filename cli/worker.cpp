@@ -7,19 +7,18 @@
 #include <memory>
 #include <optional>
 
-#include <spdlog/spdlog.h>
 #include <CLI/CLI.hpp>
 
 #include "actors/links/dial.hpp"
 #include "actors/node/worker.hpp"
 #include "base/child_process.hpp"
 #include "base/keeper.hpp"
+#include "base/logging/logging.hpp"
 #include "base/process.hpp"
 #include "base/process_usage.hpp"
 #include "base/program_line.hpp"
 #include "cli/command.hpp"
 #include "cli/joining.hpp"
-#include "cli/logging.hpp"
 #include "ops/loader/confinement.hpp"
 #include "ops/services/host_services.hpp"
 
@@ -96,7 +95,7 @@ public:
     if (!made)
       return end_of(fail(made.error()), session_);
     connection_ = std::move(*made);
-    spdlog::info("joined {} at {}:{}", connection_->server().name, where_.host, where_.port);
+    logging::info("joined {} at {}:{}", connection_->server().name, where_.host, where_.port);
     const auto link = connection_->take_link();
     return send_descriptors(line, {link.get()}) ? 0 : exit_status(ec::service_unavailable);
   }
@@ -169,7 +168,7 @@ expected<void> work_in_child(actors::worker_options& options, const worker_comma
 int run_worker_command(const worker_command& given, session& s) {
   if (given.no_sandbox)
     setenv("TEDIT_SANDBOX", "off", 1);  // For the programs that it starts, too.
-  start_logging("info", given.role_name + ": ");
+  logging::start("info", given.role_name + ": ");
   actors::worker_options options;
   options.role = *actors::role_named(given.role_name);  // The command line takes no other.
   const auto& facts = actors::facts_of(options.role);

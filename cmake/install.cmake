@@ -49,7 +49,7 @@ foreach(name IN ITEMS fem_receipt messages protocol certs tls client)
   install(TARGETS tedit_${name} EXPORT TEditClientTargets ARCHIVE DESTINATION lib/tedit COMPONENT dev)
 endforeach()
 # What a program links that is a node of a server.
-foreach(name IN ITEMS links fem_core network node)
+foreach(name IN ITEMS links logging fem_core network node)
   set_target_properties(tedit_${name} PROPERTIES EXPORT_NAME ${name})
   install(TARGETS tedit_${name} EXPORT TEditNodeTargets ARCHIVE DESTINATION lib/tedit COMPONENT dev)
 endforeach()

@@ -20,6 +20,7 @@ OPENCASCADE = ("BRep", "GProp_", "IGES", "Interface_", "NCollection_", "Quantity
 # owns it.
 ROOMS = {
     "base": ((), ("tl/", "xxhash.h")),
+    "base/logging": (("base",), ("spdlog/", "fmt/")),
     "sandbox": (("base",), ("seccomp.h",)),
     "certs": (("base",), ("openssl/",)),
     "tls": (("certs", "base"), ("boost/", "openssl/")),
@@ -70,22 +71,22 @@ ROOMS = {
     "protocol": (WIRE, ("tedit/v1/", "google/")),
     "client": (("tls", "certs", "protocol", *WIRE), ("boost/", "tedit/v1/", "google/")),
     "client/recipes": (("client", "protocol", *WIRE), ("nlohmann/",)),
-    "actors/links": (("certs", "base"), ("caf/", "spdlog/", "boost/", "openssl/")),
+    "actors/links": (("certs", "base/logging", "base"), ("caf/", "boost/", "openssl/")),
     "actors/cad": (("actors", "cad", "protocol", "edit", "ops/sdk", "mesh", "base"), ("caf/", "nlohmann/")),
     "actors": (
-        ("actors/cad", "actors/links", "sandbox", "protocol", "compare", "edit", "fem", "fem/native", "ops/loader", "ops/services", "ops/sdk", "mesh/io", "mesh", "base"),
-        ("caf/", "spdlog/", "fmt/", "sqlite3.h", "zstd.h", "nlohmann/"),
+        ("actors/cad", "actors/links", "base/logging", "sandbox", "protocol", "compare", "edit", "fem", "fem/native", "ops/loader", "ops/services", "ops/sdk", "mesh/io", "mesh", "base"),
+        ("caf/", "sqlite3.h", "zstd.h", "nlohmann/"),
     ),
-    "actors/node/server.cpp": (("actors/cad", "actors/gateway", "actors", "sandbox", "base"), ("caf/", "spdlog/")),
+    "actors/node/server.cpp": (("base/logging", "actors/cad", "actors/gateway", "actors", "sandbox", "base"), ("caf/",)),
     "actors/gateway": (
-        ("tls", "actors", "protocol", "compare", "fem", "ops/sdk", "mesh", "base"),
-        ("caf/", "spdlog/", "fmt/", "boost/", "google/", "tedit/v1/", "openssl/", "nlohmann/"),
+        ("base/logging", "tls", "actors", "protocol", "compare", "fem", "ops/sdk", "mesh", "base"),
+        ("caf/", "boost/", "google/", "tedit/v1/", "openssl/", "nlohmann/"),
     ),
     "node": (("actors", "fem", *WIRE), ("caf/",)),
     "cli": (
-        ("cad", "scan", "certs", "tls", "sandbox", "actors/cad", "actors/links", "actors", "client", "protocol", "compare", "edit", "verification", "fem", "ops/conformance",
+        ("base/logging", "cad", "scan", "certs", "tls", "sandbox", "actors/cad", "actors/links", "actors", "client", "protocol", "compare", "edit", "verification", "fem", "ops/conformance",
          "ops/loader", "ops/services", "ops/sdk", "mesh/io", "mesh", "base", "actors/gateway/users.hpp"),
-        ("CLI/", "nlohmann/", "spdlog/", "fmt/", "toml++/"),
+        ("CLI/", "nlohmann/", "fmt/", "toml++/"),
     ),
     "cli/render": (("cli/number_option.hpp", "base"), ("vtk", "CLI/", "nlohmann/")),
     "examples": (("client", "protocol", *WIRE), ()),

@@ -2,10 +2,9 @@
 // What a client may do by its token, and for how long.
 #include <algorithm>
 
-#include <spdlog/spdlog.h>
-
 #include "actors/gateway/client_actor.hpp"
 #include "actors/gateway/permissions.hpp"
+#include "base/logging/logging.hpp"
 #include "base/utc.hpp"
 
 namespace tedit::gateway {
@@ -36,7 +35,7 @@ void client_state::admit(const grant& who, const std::string& client) {
   const std::string role(name_of(who.role));
   here = {who.user, role, client, to->peer()};
   listed = parts.clients->enter(here);
-  spdlog::info("client {}: {} ({})", to->peer(), client_name, role);
+  logging::info("client {}: {} ({})", to->peer(), client_name, role);
   look_later();
 }
 
@@ -57,13 +56,13 @@ void client_state::look_at_access() {
     if (now->role != access.role) {
       here.role = name_of(now->role);
       listed = parts.clients->enter(here);
-      spdlog::info("client {}: has the role {} by now", to->peer(), here.role);
+      logging::info("client {}: has the role {} by now", to->peer(), here.role);
     }
     access = *now;
     return look_later();
   }
   const auto why = now ? token_ended(*now) : withdrawn(access);
-  spdlog::info("client {}: {}", to->peer(), why.message);
+  logging::info("client {}: {}", to->peer(), why.message);
   metrics::count_of("tedit_tokens_ended_total",
                     "Connections that ended because their token had ended or was withdrawn.")
     .add();

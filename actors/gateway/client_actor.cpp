@@ -5,9 +5,9 @@
 #include <atomic>
 
 #include <google/protobuf/io/coded_stream.h>
-#include <spdlog/spdlog.h>
 
 #include "actors/errors.hpp"
+#include "base/logging/logging.hpp"
 #include "protocol/text_fields.hpp"
 
 namespace tedit::gateway {

@@ -3,10 +3,10 @@
 
 #include <atomic>
 
-#include <spdlog/spdlog.h>
 #include <caf/actor_system.hpp>
 #include <nlohmann/json.hpp>
 
+#include "base/logging/logging.hpp"
 #include "base/metrics.hpp"
 #include "protocol/descriptor_set.hpp"
 
@@ -35,7 +35,7 @@ public:
   }
   void on_drained() override { caf::anon_send(client_, drained_atom::value); }
   void on_closed(const std::string& reason) override {
-    spdlog::info("client {}: gone: {}", peer_, reason);
+    logging::info("client {}: gone: {}", peer_, reason);
     caf::anon_send(client_, closed_atom::value);
   }
 

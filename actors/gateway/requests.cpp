@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <map>
 
-#include <spdlog/spdlog.h>
-
 #include "actors/errors.hpp"
 #include "actors/gateway/client_actor.hpp"
 #include "actors/session/session.hpp"
+#include "base/logging/logging.hpp"
 #include "base/metrics.hpp"
 #include "base/text.hpp"
 #include "protocol/numbers.hpp"

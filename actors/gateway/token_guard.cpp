@@ -7,7 +7,8 @@
 
 #include <openssl/crypto.h>
 #include <openssl/sha.h>
-#include <spdlog/spdlog.h>
+
+#include "base/logging/logging.hpp"
 
 namespace tedit::gateway {
 
@@ -55,7 +56,7 @@ std::optional<std::chrono::milliseconds> token_guard::turn_away(const std::strin
   const auto doublings = std::min(who.guesses++, 10U);
   ++unlogged_;
   if (now >= next_line_) {  // A flood must not fill the disk.
-    spdlog::warn(
+    logging::warn(
       "{}: wrong token, {} from there lately; {} since the server started, {} since the "
       "last such line",
       address, who.guesses, turned_away_.load(), std::exchange(unlogged_, 0));

@@ -4,14 +4,13 @@
 #include <fcntl.h>
 
 #include "actors/gateway/hub.hpp"
+#include "base/logging/logging.hpp"
 
 #include <algorithm>
 #include <boost/asio/executor_work_guard.hpp>
 #include <boost/asio/post.hpp>
 #include <mutex>
 #include <thread>
-
-#include <spdlog/spdlog.h>
 
 #include "base/metrics.hpp"
 
@@ -97,8 +96,8 @@ void hub::take(tcp_socket socket) {
 
 void hub::look_at_certificate() {
   if (const auto ok = identity->look(); !ok)
-    spdlog::error("clients' port: goes on with the certificate that it read before: {}",
-                  render(ok.error()));
+    logging::error("clients' port: goes on with the certificate that it read before: {}",
+                   render(ok.error()));
   metrics::level_of("tedit_certificate_end_seconds",
                     "When the certificate of the clients' port ends, as seconds since 1970.")
     .set(static_cast<double>(identity->until()));

@@ -10,9 +10,9 @@
 #include <chrono>
 
 #include <openssl/sha.h>
-#include <spdlog/spdlog.h>
 
 #include "base/hex.hpp"
+#include "base/logging/logging.hpp"
 #include "base/random_token.hpp"
 #include "base/system_failure.hpp"
 #include "base/unique_fd.hpp"
@@ -358,7 +358,7 @@ expected<void> user_book::read() {
 void user_book::look_and_say() {
   const auto ok = look();
   if (!ok && !std::exchange(said_, true))
-    spdlog::error("users: those that were read before hold: {}", render(ok.error()));
+    logging::error("users: those that were read before hold: {}", render(ok.error()));
   if (ok)
     said_ = false;
 }

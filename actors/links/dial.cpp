@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include <spdlog/spdlog.h>
 #include <boost/asio/executor_work_guard.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
@@ -16,6 +15,7 @@
 #include "actors/links/bridge.hpp"
 #include "actors/links/link.hpp"
 #include "actors/links/tls_io.hpp"
+#include "base/logging/logging.hpp"
 #include "certs/make.hpp"
 
 namespace tedit::actors {
@@ -228,12 +228,12 @@ void dial::impl::look_later() {
     if (stopped || !connected)
       return;
     if (const auto ok = identity.look(); !ok)
-      spdlog::error("link: goes on with what it read before: {}", render(ok.error()));
+      logging::error("link: goes on with what it read before: {}", render(ok.error()));
     const bool revoked = identity.context()->has_revoked(server.serial);
     if (!revoked && server.valid_until > certs::now_s())
       return look_later();
     const auto why = revoked ? refusal::revoked : refusal::ended;
-    spdlog::warn("link: {} ({}) is cut: {}", server.name, where, refusal_text(why));
+    logging::warn("link: {} ({}) is cut: {}", server.name, where, refusal_text(why));
     line->cut(why);
   });
 }

@@ -9,7 +9,6 @@
 #include <thread>
 #include <utility>
 
-#include <spdlog/spdlog.h>
 #include <boost/asio/executor_work_guard.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
@@ -17,6 +16,7 @@
 #include "actors/links/bridge.hpp"
 #include "actors/links/link.hpp"
 #include "actors/links/tls_io.hpp"
+#include "base/logging/logging.hpp"
 #include "base/utc.hpp"
 #include "certs/make.hpp"
 
@@ -218,11 +218,11 @@ void door::impl::make_link_of(std::uint64_t number, const std::shared_ptr<bridge
                               link_peer who) {
   auto ends = make_link();
   if (!ends) {
-    spdlog::error("door: {} ({}): {}", who.name, who.address, render(ends.error()));
+    logging::error("door: {} ({}): {}", who.name, who.address, render(ends.error()));
     return line->cut(refusal::full);
   }
-  spdlog::info("door: {} is linked, {}, {}, serial {}", who.name, certs::role_name(who.what),
-               who.address, who.serial);
+  logging::info("door: {} is linked, {}, {}, serial {}", who.name, certs::role_name(who.what),
+                who.address, who.serial);
   {
     const std::lock_guard lock(mutex);
     links[number] = {line, who};
@@ -235,8 +235,8 @@ void door::impl::ended(std::uint64_t number) {
   const std::lock_guard lock(mutex);
   const auto known = links.extract(number);
   if (!known.empty() && !stopping)
-    spdlog::info("door: the link of {} ({}) has ended", known.mapped().who.name,
-                 known.mapped().who.address);
+    logging::info("door: the link of {} ({}) has ended", known.mapped().who.name,
+                  known.mapped().who.address);
 }
 
 void door::impl::turn_away(refusal why, const std::string& who) {
@@ -247,8 +247,8 @@ void door::impl::turn_away(refusal why, const std::string& who) {
   const auto now = std::chrono::steady_clock::now();
   if (now < next_line)
     return;  // A flood must not fill the disk.
-  spdlog::warn("door: {} was turned away: {}; {} since the last such line", who, refusal_text(why),
-               std::exchange(unlogged, 0));
+  logging::warn("door: {} was turned away: {}; {} since the last such line", who, refusal_text(why),
+                std::exchange(unlogged, 0));
   next_line = now + std::chrono::seconds(1);
 }
 
@@ -256,7 +256,7 @@ void door::impl::turn_away(refusal why, const std::string& who) {
 
 void door::impl::look_at_files() {
   if (const auto ok = identity.look(); !ok)
-    spdlog::error("door: goes on with what it read before: {}", render(ok.error()));
+    logging::error("door: goes on with what it read before: {}", render(ok.error()));
 }
 
 /// A list that is overdue goes on holding: a server must not stop because nobody wrote it again. It
@@ -267,7 +267,7 @@ void door::impl::look_at_list() {
   if (!list || !list->is_overdue(now) || now - said_overdue < certs::day.count())
     return;
   said_overdue = now;
-  spdlog::warn(
+  logging::warn(
     "door: the list of revoked certificates (number {}, of {}) should have been followed by a "
     "newer one at {}; who was revoked since is still let in. Copy the newest crl.pem of the "
     "authority",
@@ -295,8 +295,8 @@ void door::impl::look_at_links() {
     if (!revoked && one.who.valid_until > now)
       continue;
     const auto why = revoked ? refusal::revoked : refusal::ended;
-    spdlog::warn("door: the link of {} ({}) is cut: {}", one.who.name, one.who.address,
-                 refusal_text(why));
+    logging::warn("door: the link of {} ({}) is cut: {}", one.who.name, one.who.address,
+                  refusal_text(why));
     one.line->cut(why);
   }
 }

@@ -8,7 +8,6 @@
 #include <set>
 #include <utility>
 
-#include <spdlog/spdlog.h>
 #include <caf/io/basp_broker.hpp>
 #include <caf/io/middleman.hpp>
 #include <caf/io/network/default_multiplexer.hpp>
@@ -17,6 +16,7 @@
 #include <caf/send.hpp>
 
 #include "actors/links/basp_guard.hpp"
+#include "base/logging/logging.hpp"
 #include "base/system_failure.hpp"
 
 namespace tedit::actors {
@@ -48,7 +48,7 @@ public:
   bool consume(caf::execution_unit* context, const void* data, std::size_t size) override {
     if (guard_.admits({static_cast<const std::byte*>(data), size}))
       return net::scribe_impl::consume(context, data, size);
-    spdlog::error("link: the other end broke the protocol between nodes; the link is cut");
+    logging::error("link: the other end broke the protocol between nodes; the link is cut");
     this->io_failure(context, net::operation::read);
     ::shutdown(stream_.fd(), SHUT_RDWR);
     return false;

@@ -5,10 +5,10 @@
 
 #include <exception>
 
-#include <spdlog/spdlog.h>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 
+#include "base/logging/logging.hpp"
 #include "base/unique_fd.hpp"
 
 namespace tedit::actors {
@@ -25,7 +25,7 @@ inline void run_io(boost::asio::io_context& io) {
       io.run();
       return;
     } catch (const std::exception& e) {
-      spdlog::error("link: {}", e.what());
+      logging::error("link: {}", e.what());
     }
   }
 }

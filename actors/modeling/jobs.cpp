@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include <spdlog/spdlog.h>
 
 #include "actors/modeling/modeling.hpp"
+#include "base/logging/logging.hpp"
 #include "base/stopwatch.hpp"
 #include "edit/make_edit.hpp"
 #include "mesh/features/select.hpp"
@@ -77,7 +77,7 @@ expected<job_output<operation_result>> apply_operation(
   const auto wanted = order.wanted.get();
   if (!wanted)
     return fail(wanted.error());
-  const operation_place place{services, [](const std::string& line) { spdlog::info("{}", line); },
+  const operation_place place{services, [](const std::string& line) { logging::info("{}", line); },
                               order.find_most};
   auto candidate = run_operation(plugins, base, **wanted, place, run);
   if (!candidate)

@@ -8,7 +8,6 @@
 #include <thread>
 #include <utility>
 
-#include <spdlog/spdlog.h>
 #include <caf/send.hpp>
 #include <caf/stateful_actor.hpp>
 #include <caf/typed_event_based_actor.hpp>
@@ -17,6 +16,7 @@
 #include "actors/links/link.hpp"
 #include "actors/node/system_config.hpp"
 #include "actors/pages/page_store.hpp"
+#include "base/logging/logging.hpp"
 #include "base/text.hpp"
 
 namespace tedit::actors {
@@ -90,7 +90,7 @@ expected<std::unique_ptr<membership>> membership::join(const join_place& where,
   auto connection = dial::connect({where.certificates, where.host, where.port}, stop);
   if (!connection)
     return fail(connection.error());
-  spdlog::info("joined {} at {}:{}", (*connection)->server().name, where.host, where.port);
+  logging::info("joined {} at {}:{}", (*connection)->server().name, where.host, where.port);
   auto link = (*connection)->take_link();
   return join(std::make_unique<impl>(std::move(*connection)), std::move(link), stop);
 }
@@ -111,7 +111,7 @@ bool membership::stays(std::chrono::milliseconds time) {
       [&](const caf::down_msg& down) {
         there = false;
         if (down.source != impl_->entrance->address())
-          spdlog::error("an actor of this worker ended: {}", caf::to_string(down.reason));
+          logging::error("an actor of this worker ended: {}", caf::to_string(down.reason));
       },
       caf::after(time) >> [] {});
   return there;

@@ -10,12 +10,11 @@
 #include <utility>
 #include <vector>
 
-#include <spdlog/spdlog.h>
-
 #include "actors/links/door.hpp"
 #include "actors/links/link.hpp"
 #include "actors/node/observing.hpp"
 #include "actors/node/remote.hpp"
+#include "base/logging/logging.hpp"
 #include "base/metrics.hpp"
 #include "base/unique_fd.hpp"
 
@@ -91,8 +90,8 @@ struct reception {
   void take_in(unique_fd end, const link_peer& who) const {
     unique_fd watched(::fcntl(end.get(), F_DUPFD_CLOEXEC, 0));
     if (watched.get() < 0) {
-      spdlog::error("node {} ({}): no descriptor is left for its connection", who.name,
-                    who.address);
+      logging::error("node {} ({}): no descriptor is left for its connection", who.name,
+                     who.address);
       return;  // Closing `end` ends the connection.
     }
     const auto host =

@@ -3,7 +3,6 @@
 
 #include <map>
 
-#include <spdlog/spdlog.h>
 #include <caf/send.hpp>
 #include <caf/stateful_actor.hpp>
 #include <caf/typed_event_based_actor.hpp>
@@ -12,6 +11,7 @@
 #include "actors/errors.hpp"
 #include "actors/exits.hpp"
 #include "actors/versions.hpp"
+#include "base/logging/logging.hpp"
 
 namespace tedit::actors {
 
@@ -40,7 +40,7 @@ using observing_pointer = observation_actor::stateful_pointer<observing_state>;
 
 void cut_off(observing_pointer self, const std::string& why) {
   const auto& parts = self->state.parts;
-  spdlog::warn("{} is cut off: {}", parts.line->name(), why);
+  logging::warn("{} is cut off: {}", parts.line->name(), why);
   parts.line->cut();
   self->quit();
 }

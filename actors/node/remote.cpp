@@ -5,7 +5,6 @@
 #include <chrono>
 #include <optional>
 
-#include <spdlog/spdlog.h>
 #include <caf/event_based_actor.hpp>
 #include <caf/send.hpp>
 #include <caf/stateful_actor.hpp>
@@ -16,6 +15,7 @@
 #include "actors/node/membership.hpp"
 #include "actors/observation.hpp"
 #include "actors/supervisor/solver_choice.hpp"
+#include "base/logging/logging.hpp"
 
 namespace tedit::actors {
 
@@ -101,7 +101,7 @@ caf::behavior node_enlister(caf::stateful_actor<enlister_state>* self, const wor
       why = refusal(false, "it named a worker that is not its own, or a second one",
                     "Start each worker with a \"tedit worker --join\" of its own");
     if (why) {
-      spdlog::warn("node {} ({}) was turned away: {}", peer.name, peer.address, why->reason);
+      logging::warn("node {} ({}) was turned away: {}", peer.name, peer.address, why->reason);
       self->quit();  // Once it is answered.
       return *why;
     }

@@ -4,7 +4,6 @@
 #include <arpa/inet.h>
 #include <netinet/in.h>
 
-#include <spdlog/spdlog.h>
 #include <caf/actor_system.hpp>
 #include <caf/scoped_actor.hpp>
 
@@ -22,6 +21,7 @@
 #include "actors/supervisor/pool.hpp"
 #include "actors/supervisor/solver_choice.hpp"
 #include "base/child_process.hpp"
+#include "base/logging/logging.hpp"
 #include "base/metrics.hpp"
 #include "sandbox/sandbox.hpp"
 
@@ -227,7 +227,7 @@ expected<std::unique_ptr<server>> server::start(const server_options& options) {
     if (auto can = sandbox::check(); !can)
       return fail(can.error());
   if (options.worker_processes && !options.sandbox)
-    spdlog::warn("workers are not confined: plugins can do all that this user can");
+    logging::warn("workers are not confined: plugins can do all that this user can");
   if (auto ok = check_exposure(options); !ok)
     return fail(ok.error());
   std::shared_ptr<gateway::user_book> users;
@@ -241,7 +241,7 @@ expected<std::unique_ptr<server>> server::start(const server_options& options) {
   if (!ready)
     return fail(ready.error());
   for (const auto& news : *ready)
-    spdlog::warn("{}", news);
+    logging::warn("{}", news);
   auto made = std::make_unique<impl>(options.worker_processes);
   auto& system = made->system;
   auto cache = std::make_shared<page_cache>(cache_bytes);

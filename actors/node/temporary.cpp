@@ -3,9 +3,8 @@
 // (docs/decisions/0035).
 #include <chrono>
 
-#include <spdlog/spdlog.h>
-
 #include "actors/node/hub_work.hpp"
+#include "base/logging/logging.hpp"
 
 namespace tedit::actors {
 
@@ -58,7 +57,7 @@ void expect_ends(hub_pointer self) {
             expect_end(self, row.name);
       },
       [=](const caf::error& e) {
-        spdlog::warn("{}", render(from_caf(e, "looking for documents without a name")));
+        logging::warn("{}", render(from_caf(e, "looking for documents without a name")));
       });
 }
 
@@ -74,12 +73,12 @@ void end_temporary(hub_pointer self, const std::string& name, std::uint64_t numb
   ask_disk(self, deletion{file_of(state, name)})
     .then(
       [=](acknowledged) {
-        spdlog::info("{}: gone, it had no name of its own and no client", name);
+        logging::info("{}: gone, it had no name of its own and no client", name);
         take_deleted(self->state, name);
         let_go(self, name);
       },
       [=](const caf::error& e) {
-        spdlog::warn("{}: stays, {}", name, render(from_caf(e, "deleting it")));
+        logging::warn("{}: stays, {}", name, render(from_caf(e, "deleting it")));
         let_go(self, name);
       });
 }

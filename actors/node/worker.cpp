@@ -5,13 +5,13 @@
 
 #include <utility>
 
-#include <spdlog/spdlog.h>
 #include <caf/send.hpp>
 
 #include "actors/errors.hpp"
 #include "actors/modeling/modeling.hpp"
 #include "actors/optimizer/optimizer.hpp"
 #include "actors/solver/solver.hpp"
+#include "base/logging/logging.hpp"
 #include "fem/solver.hpp"
 #include "sandbox/sandbox.hpp"
 
@@ -32,7 +32,7 @@ caf::actor spawn_role(membership& node, const worker_options& options) {
   auto plugins = std::make_shared<ops::catalogue>();
   plugins->load(options.plugins);
   for (const auto& refused : plugins->refused())
-    spdlog::warn("plugin {}: {}", refused.file.string(), refused.reason);
+    logging::warn("plugin {}: {}", refused.file.string(), refused.reason);
   return caf::actor_cast<caf::actor>(
     system.spawn(make_modeling, node.cache(), node.pages(), plugins, usage_of_this_process()));
 }
@@ -86,7 +86,7 @@ expected<void> run_worker(const worker_options& options, const cancel_token& sto
   bool leaving = false;
   while (!(stop.cancelled() && !options.joins)) {
     if (stop.cancelled() && !std::exchange(leaving, true)) {
-      spdlog::info("leaving the server; work that has begun is ended first");
+      logging::info("leaving the server; work that has begun is ended first");
       node.self()->send(node.entrance(), retirement{"it is being stopped"});
     }
     if (!node.stays(std::chrono::seconds(1)))

@@ -2,10 +2,9 @@
 // From an operation to a checked candidate, and the previews that show one.
 #include "actors/session/candidate.hpp"
 
-#include <spdlog/spdlog.h>
-
 #include "actors/errors.hpp"
 #include "actors/versions.hpp"
+#include "base/logging/logging.hpp"
 
 namespace tedit::actors {
 
@@ -102,7 +101,7 @@ void session_state::retry_candidate(const std::shared_ptr<candidate_run>& run, c
   if (run->ended)
     return;
   if (worth_a_retry(e) && !run->cancelled && run->retries++ < most_retries) {
-    spdlog::warn("{}: {}: doing the edit again", parts.document, render(e));
+    logging::warn("{}: {}: doing the edit again", parts.document, render(e));
     return make_candidate(run);
   }
   run->refuse(e);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // What two versions differ in: put together by the session, worked out on a thread aside.
-#include <spdlog/spdlog.h>
 
 #include "actors/errors.hpp"
 #include "actors/session/session.hpp"
 #include "actors/worker/worker_jobs.hpp"
+#include "base/logging/logging.hpp"
 #include "compare/compare_fields.hpp"
 #include "compare/compare_versions.hpp"
 #include "fem/fields.hpp"

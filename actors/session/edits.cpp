@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <span>
 
-#include <spdlog/spdlog.h>
 #include <nlohmann/json.hpp>
 
 #include "actors/errors.hpp"
@@ -10,6 +9,7 @@
 #include "actors/store/loading.hpp"
 #include "actors/store/store.hpp"
 #include "actors/versions.hpp"
+#include "base/logging/logging.hpp"
 #include "mesh/formats.hpp"
 #include "protocol/forms.hpp"
 

@@ -3,13 +3,13 @@
 
 #include <atomic>
 
-#include <spdlog/spdlog.h>
 #include <caf/event_based_actor.hpp>
 
 #include "actors/errors.hpp"
 #include "actors/exits.hpp"
 #include "actors/links/open_actors.hpp"
 #include "actors/session/numbers.hpp"
+#include "base/logging/logging.hpp"
 
 namespace tedit::actors {
 

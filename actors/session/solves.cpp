@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include <spdlog/spdlog.h>
 
 #include "actors/errors.hpp"
 #include "actors/session/numbers.hpp"
 #include "actors/session/result_check.hpp"
 #include "actors/session/session.hpp"
 #include "actors/versions.hpp"
+#include "base/logging/logging.hpp"
 
 namespace tedit::actors {
 
@@ -171,7 +171,7 @@ void session_state::fetch_all_fields(
   };
   const auto solve_again = [=, this,
                             order = order_of(result.key, mesh, base)](const error& e) mutable {
-    spdlog::info("{}: solving again for a file: {}", parts.document, render(e));
+    logging::info("{}: solving again for a file: {}", parts.document, render(e));
     order.base.listener = nullptr;
     order.in_one_place = true;
     const auto job = new_job(0, nullptr);
@@ -294,7 +294,7 @@ void session_state::receive_result(job_id job, const solve_result& result) {
 void session_state::retry_solve(job_id job, const error& e) {
   if (!active || active->job != job || !worth_a_retry(e) || active->retries++ >= most_retries)
     return fail_solve(job, e);
-  spdlog::warn("{}: {}: solving again", parts.document, render(e));
+  logging::warn("{}: {}: solving again", parts.document, render(e));
   auto again = std::move(*active);
   const auto [ticket, client] = std::move(progress_of.extract(job).mapped());
   again.job = new_job(ticket, client);
@@ -310,7 +310,7 @@ void session_state::on_preview(const job_preview& preview) {
     },
     [=, this](const error& e) {
       // The result itself still comes.
-      spdlog::debug("{}: no preview: {}", parts.document, render(e));
+      logging::debug("{}: no preview: {}", parts.document, render(e));
     });
 }
 
@@ -321,7 +321,7 @@ void session_state::fail_solve(job_id job, const error& e) {
   auto failed = std::move(*active);
   active.reset();
   numbers::failed_solves().add();
-  spdlog::warn("{}: solve failed: {}", parts.document, render(e));
+  logging::warn("{}: solve failed: {}", parts.document, render(e));
   for (auto& waiter : failed.waiting)
     waiter.promise.deliver(to_caf(e));
   tell(failed, solve_phase::failed, render(e));

@@ -3,9 +3,8 @@
 
 #include <utility>
 
-#include <spdlog/spdlog.h>
-
 #include "actors/solver/solve_output.hpp"
+#include "base/logging/logging.hpp"
 #include "base/stopwatch.hpp"
 
 namespace tedit::actors {
@@ -99,7 +98,7 @@ expected<job_output<solve_result>> solve_on(const solve_task& task, const std::s
 
 /// Nothing that stands on a lost device is used again.
 void drop_device(kept_systems& systems, const std::string& name, const error& why) {
-  spdlog::error("the device \"{}\" failed in a solve: {}", name, render(why));
+  logging::error("the device \"{}\" failed in a solve: {}", name, render(why));
   systems.session.forget();
   systems.devices.erase(name);
 }

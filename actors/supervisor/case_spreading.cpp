@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include <spdlog/spdlog.h>
 #include <caf/event_based_actor.hpp>
 #include <caf/send.hpp>
 #include <caf/stateful_actor.hpp>
@@ -19,6 +18,7 @@
 #include "actors/links/open_actors.hpp"
 #include "actors/supervisor/merge_cases.hpp"
 #include "actors/versions.hpp"
+#include "base/logging/logging.hpp"
 
 namespace tedit::actors {
 
@@ -126,7 +126,7 @@ void finish(spreading_pointer self, const spread_ptr& run) {
       // A machine may have gone after it answered, and the fields with it.
       if (!worth_a_retry(e))
         return fail_all(self, run, e);
-      spdlog::warn("solve {}: {}: solving once more, in one place", run->id.value, render(e));
+      logging::warn("solve {}: {}: solving once more, in one place", run->id.value, render(e));
       if (self->state.running.erase(run->id) > 0)
         run->promise.delegate(self->state.solvers, run->id, run->order);
     });
@@ -151,8 +151,8 @@ void send_part(spreading_pointer self, const spread_ptr& run, std::size_t i,
 
 void spread(spreading_pointer self, const spread_ptr& run,
             const std::vector<load_case_list>& shares) {
-  spdlog::info("solve {}: {} load cases on {} machines", run->id.value, run->load_cases.size(),
-               shares.size());
+  logging::info("solve {}: {} load cases on {} machines", run->id.value, run->load_cases.size(),
+                shares.size());
   self->state.running.emplace(run->id, run);
   for (std::size_t i = 0; i < shares.size(); ++i)
     run->parts.push_back({part_of(run->id, i), {}, {}, {}});
@@ -211,7 +211,7 @@ void on_preview(spreading_pointer self, const job_preview& preview) {
       if (self->state.running.contains(run->id))
         caf::anon_send(run->order.base.listener, job_preview{run->id, std::move(result)});
     },
-    [=](const error& e) { spdlog::debug("no preview: {}", render(e)); });
+    [=](const error& e) { logging::debug("no preview: {}", render(e)); });
 }
 
 caf::behavior make_case_ear(caf::event_based_actor* self, const caf::actor_addr& owner) {

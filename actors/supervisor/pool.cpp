@@ -3,10 +3,10 @@
 
 #include <utility>
 
-#include <spdlog/spdlog.h>
 #include <caf/send.hpp>
 
 #include "actors/errors.hpp"
+#include "base/logging/logging.hpp"
 #include "base/misdeed.hpp"
 
 namespace tedit::actors {
@@ -190,10 +190,10 @@ void pool_state::spawn_child() {
   auto made = make_child();
   if (!made) {
     last_failure = made.error().message;
-    spdlog::error("{} worker: {}", name_of(options.role), render(made.error()));
+    logging::error("{} worker: {}", name_of(options.role), render(made.error()));
     return;
   }
-  spdlog::info("{} worker: {} started", name_of(options.role), made->line->name());
+  logging::info("{} worker: {} started", name_of(options.role), made->line->name());
   wake();
   children.push_back(std::move(*made));
 }
@@ -205,9 +205,9 @@ void pool_state::spawn_missing() {
       --forgiven;  // An operation's plugin is to blame, which has a count of its own.
     } else if (!first && !budget->take(now())) {
       if (!degraded)
-        spdlog::error("{} worker: died {} times within {} s, giving up for now",
-                      name_of(options.role), options.restart_budget + 1,
-                      options.restart_window.count() / 1000);
+        logging::error("{} worker: died {} times within {} s, giving up for now",
+                       name_of(options.role), options.restart_budget + 1,
+                       options.restart_window.count() / 1000);
       degraded = true;
       break;
     }
@@ -229,15 +229,15 @@ void pool_state::spawn_missing() {
 bool pool_state::enlist(std::uint64_t number, const enlistment& who) {
   const auto c = std::ranges::find(children, number, &child::number);
   if (c == children.end() || c->worker || !who.worker) {
-    spdlog::warn("{} worker: process {} was turned away: nobody waits for it",
-                 name_of(options.role), who.pid);
+    logging::warn("{} worker: process {} was turned away: nobody waits for it",
+                  name_of(options.role), who.pid);
     return false;
   }
   c->worker = who.worker;
   c->worker_pid = who.pid;
   self->monitor(c->worker);
-  spdlog::info("{} worker: {} ready after {} ms", name_of(options.role), c->line->name(),
-               std::chrono::duration_cast<std::chrono::milliseconds>(now() - c->started).count());
+  logging::info("{} worker: {} ready after {} ms", name_of(options.role), c->line->name(),
+                std::chrono::duration_cast<std::chrono::milliseconds>(now() - c->started).count());
   serve_new(*c);
   return true;
 }
@@ -258,15 +258,15 @@ void pool_state::forgive(const job& work) {
   if (work.edit.operation.empty() || !off.counts())
     return;
   ++forgiven;
-  spdlog::warn("{} worker: the operation {} was running{}", name_of(options.role),
-               work.edit.operation, is_preview(work) ? ", for a preview" : "");
+  logging::warn("{} worker: the operation {} was running{}", name_of(options.role),
+                work.edit.operation, is_preview(work) ? ", for a preview" : "");
 }
 
 void pool_state::blame(const job& work, const std::string& how) {
   if (work.edit.operation.empty() || is_preview(work) || !off.note(work.edit, how))
     return;
   if (const auto why = off.refusal(work.edit))
-    spdlog::error("plugin: {}", why->message);
+    logging::error("plugin: {}", why->message);
 }
 
 void pool_state::try_again(job work, const std::string& how) {
@@ -296,7 +296,7 @@ void pool_state::try_again(job work, const std::string& how) {
 
 void pool_state::bury(std::list<child>::iterator dead, const std::string& how) {
   last_failure = dead->line->name() + " " + how;
-  spdlog::warn("{} worker: {}", name_of(options.role), last_failure);
+  logging::warn("{} worker: {}", name_of(options.role), last_failure);
   numbers->deaths.add();
   auto work = std::move(dead->work);
   if (dead->is_remote() && !dead->retired)
@@ -321,7 +321,7 @@ void pool_state::retire(const caf::actor_addr& source, const std::string& why) {
     children, [&](const child& one) { return one.worker && one.worker.address() == source; });
   if (c == children.end() || c->retired)
     return;
-  spdlog::info("{} worker: {} gets no more work: {}", name_of(options.role), c->line->name(), why);
+  logging::info("{} worker: {} gets no more work: {}", name_of(options.role), c->line->name(), why);
   c->retired = now();
   wake();
   if (c->is_remote())

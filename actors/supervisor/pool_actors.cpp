@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include <spdlog/spdlog.h>
 #include <caf/event_based_actor.hpp>
 #include <caf/send.hpp>
 #include <caf/typed_response_promise.hpp>
@@ -9,6 +8,7 @@
 #include "actors/links/open_actors.hpp"
 #include "actors/supervisor/job_estimate.hpp"
 #include "actors/supervisor/pool.hpp"
+#include "base/logging/logging.hpp"
 
 namespace tedit::actors {
 

@@ -3,9 +3,8 @@
 // (docs/decisions/0038).
 #include <algorithm>
 
-#include <spdlog/spdlog.h>
-
 #include "actors/supervisor/pool.hpp"
+#include "base/logging/logging.hpp"
 
 namespace tedit::actors {
 
@@ -19,8 +18,8 @@ bool pool_state::welcome(const remote_worker& guest) {
   c.worker = guest.worker;
   c.node = guest.node;
   self->monitor(c.worker);
-  spdlog::info("{} worker: {} joined: {}", name_of(options.role), c.line->name(),
-               guest.node.device);
+  logging::info("{} worker: {} joined: {}", name_of(options.role), c.line->name(),
+                guest.node.device);
   children.push_back(std::move(c));
   degraded = false;
   wake();

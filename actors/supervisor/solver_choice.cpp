@@ -6,7 +6,6 @@
 #include <map>
 #include <memory>
 
-#include <spdlog/spdlog.h>
 #include <caf/send.hpp>
 #include <caf/stateful_actor.hpp>
 #include <caf/typed_event_based_actor.hpp>
@@ -14,6 +13,7 @@
 
 #include "actors/errors.hpp"
 #include "actors/exits.hpp"
+#include "base/logging/logging.hpp"
 
 namespace tedit::actors {
 

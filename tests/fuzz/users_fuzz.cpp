@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <fstream>
 
-#include <spdlog/spdlog.h>
-
 #include "actors/gateway/token_guard.hpp"
 #include "actors/gateway/users.hpp"
+#include "base/logging/logging.hpp"
 #include "tests/fuzz/promise.hpp"
 #include "tests/support/scratch.hpp"
 
@@ -17,7 +16,7 @@ namespace fs = std::filesystem;
 /// what. One that is made up from nothing is refused by its first bytes.
 struct damaged_users {
   explicit damaged_users(std::span<const std::uint8_t> bytes) {
-    spdlog::set_level(spdlog::level::off);
+    logging::set_level("off");
     auto text = sound();
     fuzz::input in(bytes);
     for (int i = 0; i < 128 && !in.at_end(); ++i) {

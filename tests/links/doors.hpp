@@ -8,7 +8,6 @@
 #include <mutex>
 #include <thread>
 
-#include <spdlog/spdlog.h>
 #include <caf/event_based_actor.hpp>
 #include <caf/scoped_actor.hpp>
 #include <caf/send.hpp>
@@ -18,6 +17,7 @@
 #include "actors/links/door.hpp"
 #include "actors/links/link.hpp"
 #include "actors/node/system_config.hpp"
+#include "base/logging/logging.hpp"
 #include "tests/certs/authority_fixture.hpp"
 
 namespace tedit::test {
@@ -91,10 +91,10 @@ struct joined_node {
 /// A server with a door on this machine: certificate "hall", all links served with an echo.
 class Doors : public Authority {
 protected:
-  Doors() { spdlog::set_level(spdlog::level::off); }
+  Doors() { logging::set_level("off"); }
   ~Doors() override {
     caf::anon_send_exit(enlister, caf::exit_reason::user_shutdown);
-    spdlog::set_level(spdlog::level::info);
+    logging::set_level("info");
   }
 
   void SetUp() override {

@@ -13,7 +13,6 @@
 #include <string>
 #include <vector>
 
-#include <spdlog/spdlog.h>
 #include <caf/event_based_actor.hpp>
 #include <caf/send.hpp>
 #include <caf/stateful_actor.hpp>
@@ -26,6 +25,7 @@
 #include "actors/supervisor/lifeline.hpp"
 #include "actors/supervisor/pool.hpp"
 #include "actors/versions.hpp"
+#include "base/logging/logging.hpp"
 #include "fem/fields.hpp"
 #include "tests/simulation/timeline.hpp"
 
@@ -239,7 +239,7 @@ void run(const service_time& times) {
 }  // namespace tedit::actors
 
 int main(int argc, char** argv) {
-  spdlog::set_level(spdlog::level::off);
+  logging::set_level("off");
   tedit::actors::service_time times;
   if (argc > 1)
     times.first_s = std::strtod(argv[1], nullptr);

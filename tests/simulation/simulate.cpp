@@ -10,8 +10,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include <spdlog/spdlog.h>
-
+#include "base/logging/logging.hpp"
 #include "tests/simulation/world.hpp"
 
 namespace {
@@ -76,7 +75,7 @@ void show_least(const scenario& all, const std::filesystem::path& folder) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  spdlog::set_level(spdlog::level::off);
+  logging::set_level("off");
   for (const int signal : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGTERM})
     std::signal(signal, say_last_words);
   const number first = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 1;

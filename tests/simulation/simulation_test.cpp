@@ -4,8 +4,7 @@
 
 #include <algorithm>
 
-#include <spdlog/spdlog.h>
-
+#include "base/logging/logging.hpp"
 #include "tedit/v1/session.pb.h"
 #include "tests/simulation/world.hpp"
 
@@ -18,7 +17,7 @@ using ::testing::Pair;
 
 class Simulation : public ::testing::Test {
 protected:
-  Simulation() { spdlog::set_level(spdlog::level::off); }
+  Simulation() { logging::set_level("off"); }
   ~Simulation() override { std::filesystem::remove_all(folder_); }
 
   std::filesystem::path folder_ =

@@ -10,12 +10,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <spdlog/spdlog.h>
 #include <caf/allowed_unsafe_message_type.hpp>
 #include <caf/event_based_actor.hpp>
 #include <caf/send.hpp>
 
 #include "actors/errors.hpp"
+#include "base/logging/logging.hpp"
 #include "tests/simulation/timeline.hpp"
 
 namespace tedit::actors {
@@ -59,7 +59,7 @@ public:
 /// Actors alone on a stage: nothing happens but what a test has happen.
 class States : public ::testing::Test {
 protected:
-  States() { spdlog::set_level(spdlog::level::off); }
+  States() { logging::set_level("off"); }
 
   /// Lets everything happen that happens within so long.
   void pass(milliseconds time) {
