@@ -73,6 +73,16 @@ struct version_info {
   std::string name;                     ///< That somebody gave it; mostly empty.
   std::string note;
   std::optional<cad_state> cad = {};  ///< None for a part that did not come from CAD.
+  std::string made_by = {};           ///< A client's name; empty: not known any more.
+  std::string made_at = {};           ///< UTC, "2026-11-23T08:45:00Z"; empty: not known any more.
+};
+
+/// Who has a document open.
+struct participant {
+  std::uint64_t id = 0;     ///< No two of a session have one.
+  std::string name;         ///< That the client gave itself, after its user's; may be empty.
+  std::string since;        ///< UTC, as `version_info::made_at`.
+  bool only_looks = false;  ///< Keeps the document open, but nobody from deleting it.
 };
 
 // -- requests to a session; `ticket` names the request for progress and cancel, `client` who hears
@@ -82,6 +92,7 @@ struct version_info {
 struct attach_request {
   caf::actor subscriber;
   bool only_looks = false;  ///< It keeps the document open, but nobody from deleting it.
+  std::string name = {};    ///< For the others.
 };
 
 /// What a request that changes a document says beside what it wants.
@@ -89,6 +100,9 @@ struct change_terms {
   std::string client;            ///< Who asks, by the name that the client gave itself.
   std::string edit_id;           ///< Made by the client: the same again is done once. May be empty.
   std::string expected_version;  ///< Of the head, hexadecimal; empty: any.
+  /// An edit made for another version goes on the head where it touches nothing that was changed
+  /// since.
+  bool carry_over = false;
 };
 
 struct import_request {
@@ -189,6 +203,8 @@ struct session_snapshot {
   shared_load_cases load_cases = no_load_cases();
   bool can_undo = false;
   bool can_redo = false;
+  std::vector<participant> participants;  ///< All, in the order in which they came.
+  std::uint64_t own_participant = 0;      ///< Which of them asked.
 };
 
 struct head_moved {
@@ -223,6 +239,13 @@ struct load_cases_changed {
 struct version_annotated {
   std::string document;
   version_info info;
+};
+
+/// Somebody opened the document, or has it open no more.
+struct participant_changed {
+  std::string document;
+  participant who;
+  bool gone = false;
 };
 
 /// How a version stands on the CAD model is known now.
@@ -423,6 +446,7 @@ CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::session_snapshot)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::head_moved)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::load_cases_changed)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::version_annotated)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::participant_changed)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::cad_known)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::document_renamed)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::held_result)

@@ -139,11 +139,13 @@ expected<committed> client::edit(const std::string& operation,
                                  const std::vector<surface_id>& surfaces,
                                  const ops::parameters& values, const execution& run,
                                  const std::string& expected_version,
-                                 const fem::carry_settings& loads, const std::string& edit_id) {
+                                 const fem::carry_settings& loads, const std::string& edit_id,
+                                 bool carry_over) {
   auto edit = impl_->describe_edit(operation, surfaces, values, expected_version, loads);
   if (!edit)
     return fail(std::move(edit.error()));
   edit->set_edit_id(edit_id);
+  edit->set_carry_over(carry_over);
   v1::ClientMessage request;
   *request.mutable_apply_edit() = std::move(*edit);
   return convert(impl_->ask(std::move(request), body::kCommitted, run), &body::committed);

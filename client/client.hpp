@@ -131,14 +131,15 @@ public:
   [[nodiscard]] expected<std::string> watch_fields(const watched_quantities& wanted);
 
   /// Applies an operation to the head and returns once the new version is durable. When
-  /// `expected_version` is given and not the head, the edit is refused (`conflict`). `loads` says
-  /// what becomes of loads and supports whose surface goes.
+  /// `expected_version` is given and not the head, the edit is refused (`conflict`); with
+  /// `carry_over` only where it would touch anything that was changed since. `loads` says what
+  /// becomes of loads and supports whose surface goes.
   [[nodiscard]] expected<committed> edit(const std::string& operation,
                                          const std::vector<surface_id>& surfaces,
                                          const ops::parameters& values, const execution& run,
                                          const std::string& expected_version = {},
                                          const fem::carry_settings& loads = {},
-                                         const std::string& edit_id = {});
+                                         const std::string& edit_id = {}, bool carry_over = false);
 
   /// Asks what such an edit would make of the head; nothing is changed or kept. The arguments are
   /// those of `edit`, which takes the result over at once when it follows with the same. Applied

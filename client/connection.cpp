@@ -260,6 +260,7 @@ expected<void> connection::dispatch(v1::ServerMessage& message, std::size_t byte
     case body::kLoadCasesChanged:
     case body::kVersionAnnotated:
     case body::kCadStateChanged:
+    case body::kParticipantChanged:
     case body::kDocumentRenamed:
     case body::kSurfaceUpdate:
     case body::kFieldUpdate:
@@ -306,6 +307,12 @@ expected<void> connection::dispatch_event(v1::ServerMessage& message, std::size_
     const auto& what = message.cad_state_changed();
     if (handlers_.on_cad && inbox_.is_open(what.document()))
       handlers_.on_cad(from_message(what.version()));
+    return {};
+  }
+  if (message.has_participant_changed()) {
+    const auto& what = message.participant_changed();
+    if (handlers_.on_participant && inbox_.is_open(what.document()))
+      handlers_.on_participant(from_message(what.participant()), what.gone());
     return {};
   }
   if (message.has_document_renamed()) {

@@ -116,7 +116,13 @@ version_info from_message(const v1::VersionInfo& message) {
   if (message.has_cad())
     result.cad = {static_cast<cad_status>(message.cad().status()), message.cad().reason(),
                   message.cad().deviation_m()};
+  result.made_by = message.made_by();
+  result.made_at = message.made_at();
   return result;
+}
+
+participant from_message(const v1::Participant& message) {
+  return {message.id(), message.client(), message.since(), message.only_looks()};
 }
 
 committed from_message(const v1::Committed& message) {
@@ -156,6 +162,9 @@ document_state from_message(const v1::DocumentState& message) {
   result.can_undo = message.can_undo();
   result.can_redo = message.can_redo();
   result.load_cases = load_cases_from(message.load_cases(), result.warnings);
+  for (const auto& who : message.participants())
+    result.participants.push_back(from_message(who));
+  result.own_participant = message.participant();
   return result;
 }
 

@@ -14,6 +14,7 @@ namespace tedit::client {
 
 [[nodiscard]] error from_message(const v1::Error& message);
 [[nodiscard]] version_info from_message(const v1::VersionInfo& message);
+[[nodiscard]] participant from_message(const v1::Participant& message);
 [[nodiscard]] committed from_message(const v1::Committed& message);
 [[nodiscard]] solve_status from_message(const v1::SolveStatus& message);
 [[nodiscard]] document_state from_message(const v1::DocumentState& message);

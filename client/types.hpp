@@ -110,6 +110,16 @@ struct version_info {
   /// Of the edit that made it: in `document_state`, and in a `history` that was asked for with it.
   std::optional<edit_report> report;
   std::optional<cad_state> cad;  ///< None for a part that did not come from CAD.
+  std::string made_by;           ///< Who made it, by name; empty: not known any more.
+  std::string made_at;           ///< UTC, "2026-11-23T08:45:00Z"; empty: not known any more.
+};
+
+/// Who has the document open (message `tedit.v1.Participant`).
+struct participant {
+  std::uint64_t id = 0;     ///< No two of a document have one.
+  std::string name;         ///< As `version_info::made_by`; may be empty.
+  std::string since;        ///< UTC.
+  bool only_looks = false;  ///< A node that watches.
 };
 
 /// Names of `fem::result_arrays` that are wanted with every field beside those that are always
@@ -168,6 +178,8 @@ struct document_state {
   bool can_redo = false;
   std::vector<fem::load_case> load_cases;  ///< Of the head. Older servers say nothing.
   std::vector<std::string> warnings;       ///< Of those that cannot be read.
+  std::vector<participant> participants;   ///< All who have it open, this client too.
+  std::uint64_t own_participant = 0;       ///< Which of them this client is.
 };
 
 /// The load cases of the head were replaced or added to.
@@ -298,6 +310,8 @@ struct events {
   std::function<void(const load_cases_event&)> on_load_cases;  ///< By any client.
   std::function<void(const version_info&)> on_annotated;       ///< By any client.
   std::function<void(const version_info&)> on_cad;  ///< How it stands on the CAD model is known.
+  /// Somebody else opened the document; `gone`: has it open no more.
+  std::function<void(const participant&, bool gone)> on_participant;
   /// By any client: the document's name from now on, which requests use already.
   std::function<void(const std::string& name)> on_renamed;
   std::function<void(const solve_outcome&)> on_solved;  ///< Whoever asked for it.

@@ -248,6 +248,7 @@ caf::behavior make_client(client_pointer self, std::shared_ptr<connection> to, g
 
 void to_message(const actors::cad_state& state, v1::CadState* out);
 void to_message(const actors::version_info& info, v1::VersionInfo* out);
+void to_message(const actors::participant& who, v1::Participant* out);
 /// What the edit that made a version reported, if one did.
 void add_report(const actors::shared_report& report, v1::VersionInfo* out);
 void to_message(const actors::head_moved& moved, v1::Committed* out);

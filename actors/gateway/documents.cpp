@@ -94,13 +94,17 @@ void open_document(client_state& client, std::uint64_t id, const v1::OpenDocumen
     state->set_can_undo(snapshot.can_undo);
     state->set_can_redo(snapshot.can_redo);
     protocol::to_messages(*snapshot.load_cases, state->mutable_load_cases());
+    for (const auto& who : snapshot.participants)
+      to_message(who, state->add_participants());
+    state->set_participant(snapshot.own_participant);
     client.answer(id, std::move(message));
     client.want_surface(snapshot.document, snapshot.version);
   };
   const auto found = [=, &client](const opened_document& opened) {
     const auto session = caf::actor_cast<session_actor>(opened.session);
     client.self
-      ->request(session, short_limit, attach_request{caf::actor_cast<caf::actor>(client.self)})
+      ->request(session, short_limit,
+                attach_request{caf::actor_cast<caf::actor>(client.self), false, client.client_name})
       .then([=](const session_snapshot& snapshot) { attached(snapshot, session); }, gone);
   };
   // Who may only look begins no document.

@@ -26,6 +26,7 @@ expected<apply_request> read_edit(const v1::ApplyEdit& body, change_terms terms)
   auto wanted = protocol::from_message(body);
   if (!wanted)
     return fail(wanted.error());
+  terms.carry_over = body.carry_over();
   return apply_request{0, {}, std::move(*wanted), std::move(terms)};
 }
 

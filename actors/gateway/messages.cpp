@@ -26,8 +26,17 @@ void to_message(const actors::version_info& info, v1::VersionInfo* out) {
   out->mutable_load_cases()->Assign(info.load_cases.begin(), info.load_cases.end());
   out->set_name(info.name);
   out->set_note(info.note);
+  out->set_made_by(info.made_by);
+  out->set_made_at(info.made_at);
   if (info.cad)
     to_message(*info.cad, out->mutable_cad());
+}
+
+void to_message(const actors::participant& who, v1::Participant* out) {
+  out->set_id(who.id);
+  out->set_client(who.name);
+  out->set_since(who.since);
+  out->set_only_looks(who.only_looks);
 }
 
 void add_report(const actors::shared_report& report, v1::VersionInfo* out) {

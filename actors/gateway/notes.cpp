@@ -150,6 +150,17 @@ void on_cad_known(client_state& client, const cad_known& event) {
   send(*client.to, message);
 }
 
+void on_participant(client_state& client, const participant_changed& event) {
+  if (!client.documents.contains(event.document))
+    return;
+  v1::ServerMessage message;
+  auto* out = message.mutable_participant_changed();
+  out->set_document(event.document);
+  to_message(event.who, out->mutable_participant());
+  out->set_gone(event.gone);
+  send(*client.to, message);
+}
+
 /// Whatever is sent after this has the new name.
 void on_renamed(client_state& client, const document_renamed& event) {
   const auto found = client.documents.find(event.before);
@@ -185,6 +196,7 @@ request_rows note_requests() {
 caf::message_handler note_events(client_state& client) {
   return {[&client](const version_annotated& event) { on_annotated(client, event); },
           [&client](const cad_known& event) { on_cad_known(client, event); },
+          [&client](const participant_changed& event) { on_participant(client, event); },
           [&client](const document_renamed& event) { on_renamed(client, event); }};
 }
 

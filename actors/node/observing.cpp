@@ -141,6 +141,7 @@ void attach_to(observing_pointer self, const opened_document& opened,
   const auto session = caf::actor_cast<session_actor>(opened.session);
   attach_request request{caf::actor_cast<caf::actor>(self)};
   request.only_looks = true;
+  request.name = self->state.parts.line->name();
   self->request(session, std::chrono::minutes(1), request)
     .then(
       [=](const session_snapshot& now) {

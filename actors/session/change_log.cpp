@@ -81,6 +81,19 @@ expected<void> check_edit_id(const std::string& id) {
                 " printable ASCII characters without spaces, for example a UUID");
 }
 
+void tell_makers(const std::vector<store::log_row>& rows, std::vector<graph_node>& nodes) {
+  constexpr std::size_t most_told = 20'000;
+  for (const auto& row : std::span(rows).last(std::min(rows.size(), most_told))) {
+    if (row.what != "edit" && row.what != "import")
+      continue;
+    const auto made = past_change::from_log(row);
+    if (!made || !made->version || *made->version >= nodes.size())
+      continue;
+    nodes[*made->version].info.made_by = made->client;
+    nodes[*made->version].info.made_at = made->time;
+  }
+}
+
 change_log::change_log(const std::vector<store::log_row>& rows) {
   const auto last = std::span(rows).last(std::min(rows.size(), 2 * most_remembered));
   for (const auto& row : last)

@@ -43,6 +43,10 @@ struct past_change {
 /// Errors: `invalid_argument` for one that is too long or has odd characters.
 [[nodiscard]] expected<void> check_edit_id(const std::string& id);
 
+/// Fills in who made each version and when, as far as the newest `most_told` changes say.
+/// Cost: O(those), some us each.
+void tell_makers(const std::vector<store::log_row>& rows, std::vector<graph_node>& nodes);
+
 /// What a session remembers of its document's past: who moved the head last, and the changes with
 /// an edit id, the newest `most_remembered`.
 class change_log {

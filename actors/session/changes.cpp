@@ -30,15 +30,29 @@ past_change session_state::begin_change(const change_terms& terms, const asked_c
 std::optional<caf::error> session_state::check_expected(const change_terms& terms) const {
   const auto* head = graph.head();
   const auto id = head ? to_hex(head->info.id) : std::string();
-  if (terms.expected_version.empty() || terms.expected_version == id)
+  if (terms.expected_version.empty() || terms.expected_version == id || carried_from(terms))
     return std::nullopt;
   if (!head)
     return to_caf(empty_document());
+  return other_head(terms, {});
+}
+
+const graph_node* session_state::carried_from(const change_terms& terms) const {
+  const auto* head = graph.head();
+  if (!terms.carry_over || !head || terms.expected_version == to_hex(head->info.id))
+    return nullptr;
+  return graph.find(terms.expected_version);
+}
+
+caf::error session_state::other_head(const change_terms& terms, const std::string& what) const {
+  const auto* head = graph.head();
+  const auto id = to_hex(head->info.id);
   const auto& who = past.last_move();
   const bool known = who && who->version == head->info.number;
   const error said{ec::conflict,
                    "the head is version " + id + " (number " + std::to_string(head->info.number) +
-                     "), not " + terms.expected_version + (known ? ": " + words_of(*who) : ""),
+                     "), not " + terms.expected_version + (known ? ": " + words_of(*who) : "") +
+                     what,
                    "Look at the new head, then ask again",
                    {}};
   rival other{id, head->info.number, {}, {}, {}, {}};

@@ -10,6 +10,7 @@
 #include "actors/store/store.hpp"
 #include "actors/versions.hpp"
 #include "base/logging/logging.hpp"
+#include "mesh/edit_overlap.hpp"
 #include "mesh/formats.hpp"
 #include "protocol/forms.hpp"
 
@@ -41,6 +42,24 @@ asked_change asked_by(const move_request& request) {
   return {request.kind == move_kind::undo ? "undo" : "redo", "{}"};
 }
 
+std::string list_of(const std::vector<surface_id>& surfaces) {
+  constexpr std::size_t most = 8;
+  std::string text = surfaces.size() == 1 ? "surface " : "surfaces ";
+  for (std::size_t i = 0; i < std::min(surfaces.size(), most); ++i)
+    text += (i ? ", " : "") + std::to_string(surfaces[i]);
+  return text + (surfaces.size() > most ? ", ..." : "");
+}
+
+/// What an edit that is carried over met, as the end of a sentence about the head.
+std::string words_of(const edit_overlap& met) {
+  if (!met.reshaped.empty())
+    return "; since then " + list_of(met.reshaped) + " of the selection " +
+           (met.reshaped.size() == 1 ? "was" : "were") + " changed";
+  return "; since then " + std::to_string(met.tets) + " of the tets that the edit would change " +
+         (met.tets == 1 ? "was" : "were") + " changed" +
+         (met.surfaces.empty() ? std::string() : ", at " + list_of(met.surfaces));
+}
+
 bool keeps_fields(const std::string& format) {
   const auto* row = find_format(format);
   return row && row->keeps.fields;
@@ -57,6 +76,8 @@ struct session_state::import_run {
 
 struct session_state::edit_run {
   apply_request request;
+  version_ptr seen;  ///< The version that it was made for, where that is not the head.
+  std::uint32_t seen_number = 0;
   asked_change asked;
   caf::typed_response_promise<head_moved> promise;
   stopwatch total;
@@ -133,14 +154,29 @@ caf::result<head_moved> session_state::edit(const apply_request& request) {
   return run->promise;
 }
 
-/// What was previewed is not made again.
 void session_state::begin_edit(const std::shared_ptr<edit_run>& run) {
   const auto& request = run->request;
   if (is_settled(request.terms, run->asked, run->promise))
     return finish_command();
-  const auto* head = graph.head();
-  if (!head)
+  if (!graph.head())
     return refuse_edit(run, empty_document());
+  const auto* seen = carried_from(request.terms);
+  if (!seen)
+    return make_edit(run);
+  run->seen_number = seen->info.number;
+  with_mesh(
+    run->seen_number,
+    [=, this](const version_ptr& mesh) {
+      run->seen = mesh;
+      make_edit(run);
+    },
+    [=, this](const error& e) { refuse_edit(run, e); });
+}
+
+/// What was previewed is not made again.
+void session_state::make_edit(const std::shared_ptr<edit_run>& run) {
+  const auto& request = run->request;
+  const auto* head = graph.head();
   if (last_preview && last_preview->serves(request, *head))
     return commit_edit(run, *last_preview->made);
   auto work = std::make_shared<candidate_run>();
@@ -157,18 +193,37 @@ void session_state::begin_edit(const std::shared_ptr<edit_run>& run) {
 }
 
 void session_state::refuse_edit(const std::shared_ptr<edit_run>& run, const error& e) {
-  run->promise.deliver(to_caf(e));
+  auto said = e;
+  if (run->seen && e.code != ec::cancelled)
+    said.message += " (on version " + std::to_string(graph.head()->info.number) +
+                    ", the head; the edit was made for version " +
+                    std::to_string(run->seen_number) + ")";
+  run->promise.deliver(to_caf(said));
   finish_command();
 }
 
 void session_state::commit_edit(const std::shared_ptr<edit_run>& run,
                                 const checked_candidate& made) {
   const auto& request = run->request;
+  if (run->seen) {
+    const auto met =
+      overlap_of(*run->seen, *graph.head()->mesh, *made.mesh, request.wanted.surfaces);
+    if (!met.none()) {
+      numbers::carried_over(false).add();
+      run->promise.deliver(other_head(request.terms, words_of(met)));
+      return finish_command();
+    }
+    numbers::carried_over(true).add();
+  }
   auto node = graph.draft();
   node.info.operation = request.wanted.operation;
   node.info.load_cases = names_of(*made.load_cases);
   node.load_cases = made.load_cases;
-  node.report = made.timed_report(run->total.milliseconds());
+  auto report = *made.timed_report(run->total.milliseconds());
+  if (run->seen)
+    report.notices.push_back("carried over from version " + std::to_string(run->seen_number) +
+                             ": what was changed since then is elsewhere");
+  node.report = std::make_shared<const edit_report>(std::move(report));
   describe_mesh(node, made.mesh);
   node.info.cad = cad_of_child(node);
   auto made_now = begin_change(request.terms, run->asked);
@@ -183,6 +238,8 @@ void session_state::commit_edit(const std::shared_ptr<edit_run>& run,
 void session_state::commit_node(graph_node node, past_change made, const std::string& how,
                                 head_waiter asked_by, std::function<void()> then) {
   const auto* head = graph.head();
+  node.info.made_by = made.client;
+  node.info.made_at = made.time;
   auto change = change_of(node, head ? head->mesh.get() : nullptr);
   made.version = node.info.number;
   change.what = made.what;

@@ -16,6 +16,17 @@ namespace tedit::actors {
 
 namespace {
 
+/// "anna, ben and 3 more": as many as a line has room for.
+std::string names_of(const std::vector<participant>& several) {
+  constexpr std::size_t most = 3;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(several.size(), most); ++i)
+    text += (i ? ", " : "") + (several[i].name.empty() ? "one without a name" : several[i].name);
+  if (several.size() > most)
+    text += " and " + std::to_string(several.size() - most) + " more";
+  return text;
+}
+
 constexpr std::size_t longest_name = 80;
 constexpr std::size_t longest_note = 4000;
 
@@ -256,12 +267,14 @@ caf::result<acknowledged> session_state::copy_to(const copy_order& order) {
 /// Nobody who was promised an answer may be left without it: only a solve that goes by itself is
 /// ended, whatever else is done with the document keeps it.
 caf::result<acknowledged> session_state::erase(const caf::actor& asker) {
-  const auto others = std::ranges::count_if(
-    subscribers, [&](const auto& s) { return s != asker && !onlookers.contains(s); });
-  if (others > 0)
+  std::vector<participant> others;
+  for (const auto& [subscriber, who] : subscribers)
+    if (subscriber != asker && !who.only_looks)
+      others.push_back(who);
+  if (!others.empty())
     return to_caf({ec::conflict,
                    "the document " + parts.document + " is open in other clients (" +
-                     std::to_string(others) + ")",
+                     std::to_string(others.size()) + ": " + names_of(others) + ")",
                    "Have it closed there, then try again",
                    {}});
   if (running || !waiting.empty() || !previews.empty() || !comparisons.empty() || copying > 0 ||
@@ -291,7 +304,9 @@ caf::result<acknowledged> session_state::erase(const caf::actor& asker) {
 }
 
 session_status session_state::status() const {
-  session_status result{subscribers.size() - onlookers.size(), graph.nodes().size(), {}};
+  const auto work =
+    std::ranges::count_if(subscribers, [](const auto& row) { return !row.second.only_looks; });
+  session_status result{static_cast<std::size_t>(work), graph.nodes().size(), {}};
   if (const auto* head = graph.head())
     result.head = head->info.number;
   return result;

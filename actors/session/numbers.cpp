@@ -19,6 +19,12 @@ metrics::counter& heads_moved(const std::string& kind) {
                            "Changes that moved a document's head, by kind.", {{"kind", kind}});
 }
 
+metrics::counter& carried_over(bool done) {
+  return metrics::count_of("tedit_edits_carried_over_total",
+                           "Edits that were asked for an older head, by what became of them.",
+                           {{"outcome", done ? "done" : "collided"}});
+}
+
 metrics::counter& solves() {
   static auto& one = metrics::count_of("tedit_solves_total", "Solves that were done.");
   return one;

@@ -11,6 +11,8 @@ namespace tedit::actors::numbers {
 [[nodiscard]] metrics::gauge& open_documents();
 [[nodiscard]] metrics::gauge& subscriptions();
 [[nodiscard]] metrics::counter& heads_moved(const std::string& kind);
+/// Edits that were made for another version than the head.
+[[nodiscard]] metrics::counter& carried_over(bool done);
 [[nodiscard]] metrics::counter& solves();
 [[nodiscard]] metrics::counter& failed_solves();
 

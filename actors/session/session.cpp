@@ -49,6 +49,7 @@ void session_state::start(session_pointer owner, session_parts with, stored_docu
   parts = std::move(with);
   past = change_log(stored.log);
   const auto log = std::move(stored.log);
+  tell_makers(log, stored.nodes);
   graph = version_graph(std::move(stored));
   if (const auto* head = graph.head())
     parts.cache->put(*head->mesh);
@@ -62,14 +63,18 @@ void session_state::start(session_pointer owner, session_parts with, stored_docu
 caf::result<session_snapshot> session_state::attach(const attach_request& request) {
   if (ended)
     return to_caf({ec::service_unavailable, "the document is being closed", "Open it again", {}});
-  if (subscribers.insert(request.subscriber).second) {
+  const auto [place, is_new] = subscribers.try_emplace(request.subscriber);
+  auto& who = place->second;
+  if (is_new) {
+    who = {++participants_so_far, request.name, utc_now(), request.only_looks};
     self->monitor(request.subscriber);
     numbers::subscriptions().add(1);
-    if (request.only_looks)
-      onlookers.insert(request.subscriber);
+    broadcast(participant_changed{parts.document, who}, {request.subscriber});
   }
   session_snapshot snapshot;
   snapshot.document = parts.document;
+  snapshot.participants = participants();
+  snapshot.own_participant = who.id;
   if (const auto* head = graph.head()) {
     snapshot.head = head->info;
     snapshot.version = head->mesh;
@@ -82,12 +87,23 @@ caf::result<session_snapshot> session_state::attach(const attach_request& reques
 }
 
 void session_state::detach(const caf::actor& subscriber) {
-  numbers::subscriptions().add(-static_cast<double>(subscribers.erase(subscriber)));
-  onlookers.erase(subscriber);
+  const auto gone = subscribers.extract(subscriber);
+  if (gone) {
+    numbers::subscriptions().add(-1);
+    broadcast(participant_changed{parts.document, gone.mapped(), true});
+  }
   if (!subscribers.empty())
     return;
   last_preview.reset();
   look_later();
+}
+
+std::vector<participant> session_state::participants() const {
+  std::vector<participant> result;
+  for (const auto& [subscriber, who] : subscribers)
+    result.push_back(who);
+  std::ranges::sort(result, {}, &participant::id);
+  return result;
 }
 
 session_history session_state::history(const history_request& request) const {
@@ -261,7 +277,7 @@ session_actor::behavior_type make_session(session_pointer self, session_parts pa
   auto& state = self->state;
   state.start(self, std::move(parts), std::move(stored));
   self->set_down_handler([=](caf::down_msg& down) {
-    for (const auto& one : std::set(self->state.subscribers))
+    for (const auto& [one, who] : std::map(self->state.subscribers))
       if (one.address() == down.source)
         self->state.detach(one);
   });

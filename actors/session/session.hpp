@@ -144,6 +144,8 @@ struct session_state {
   void start(session_pointer owner, session_parts with, stored_document stored);
   caf::result<session_snapshot> attach(const attach_request& request);
   void detach(const caf::actor& subscriber);
+  /// All who have the document open, in the order in which they came.
+  [[nodiscard]] std::vector<participant> participants() const;
   [[nodiscard]] session_history history(const history_request& request) const;
   caf::result<session_version> version(const version_request& request);
   void cancel(std::uint64_t ticket);
@@ -187,6 +189,7 @@ struct session_state {
 
   void begin_import(const std::shared_ptr<import_run>& run);
   void begin_edit(const std::shared_ptr<edit_run>& run);
+  void make_edit(const std::shared_ptr<edit_run>& run);
   void refuse_edit(const std::shared_ptr<edit_run>& run, const error& e);
   void commit_edit(const std::shared_ptr<edit_run>& run, const checked_candidate& made);
   /// `made`: the change, but for its version; `how` as it was asked for. `then` is called when all
@@ -224,6 +227,11 @@ struct session_state {
   };
   [[nodiscard]] verdict judge(const change_terms& terms, const asked_change& request) const;
   [[nodiscard]] std::optional<caf::error> check_expected(const change_terms& terms) const;
+  /// The version that an edit was made for, where it is another than the head and the edit may be
+  /// carried over; else null.
+  [[nodiscard]] const graph_node* carried_from(const change_terms& terms) const;
+  /// The head is not the version that a request was made for; `what`: of it.
+  [[nodiscard]] caf::error other_head(const change_terms& terms, const std::string& what) const;
   /// Whether nothing is to be done for a request; then it is answered: refused, or as it was when
   /// it was carried out.
   bool is_settled(const change_terms& terms, const asked_change& request,
@@ -369,8 +377,8 @@ struct session_state {
   session_parts parts;
   version_graph graph;
   change_log past;
-  std::set<caf::actor> subscribers;
-  std::set<caf::actor> onlookers;  ///< Those of them that keep nobody from deleting the document.
+  std::map<caf::actor, participant> subscribers;
+  std::uint64_t participants_so_far = 0;
   std::deque<command> waiting;
   std::optional<running_command> running;
   std::map<std::uint64_t, std::shared_ptr<preview_run>> previews;  ///< By ticket.
@@ -406,7 +414,7 @@ session_actor::behavior_type make_session(session_pointer self, session_parts pa
 
 template <class Event>
 void session_state::broadcast(const Event& event, const std::set<caf::actor>& answered) {
-  for (const auto& subscriber : subscribers)
+  for (const auto& [subscriber, who] : subscribers)
     if (!answered.contains(subscriber))
       caf::anon_send(subscriber, event);
 }

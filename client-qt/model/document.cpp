@@ -29,6 +29,8 @@ document::document(remote& link, QObject* parent)
   });
   connect(&link_, &remote::load_cases_changed, this, &document::take_load_cases);
   connect(&link_, &remote::renamed, this, &document::take_name);
+  connect(&link_, &remote::participant_changed, this,
+          [this](const client::participant& who, bool gone) { take(who, gone); });
   connect(&link_, &remote::annotated, this, [this](const client::version_info& info) {
     if (versions_.take_annotation(info))
       emit history_changed();
@@ -84,7 +86,9 @@ void document::begin(const QString& name) {
   solver_.forget(before);
   loads_.forget();
   name_ = name;
+  others_.clear();
   emit begun();
+  emit others_changed();
 }
 
 void document::load_catalogue() {
@@ -119,7 +123,19 @@ void document::take(const client::document_state& state) {
   }
   loads_.take(state.load_cases);
   warn(state.warnings);
+  others_ = state.participants;
+  std::erase_if(others_, [&](const auto& one) { return one.id == state.own_participant; });
   emit head_changed();
+  emit others_changed();
+}
+
+void document::take(const client::participant& who, bool gone) {
+  if (!is_open())
+    return;
+  std::erase_if(others_, [&](const auto& one) { return one.id == who.id; });
+  if (!gone)
+    others_.push_back(who);
+  emit others_changed();
 }
 
 // -- versions ------------------------------------------------------------------------

@@ -40,6 +40,8 @@ public:
     return versions_.all();
   }
   [[nodiscard]] const catalogue& operations() const noexcept { return operations_; }
+  /// Who else has it open, in the order in which they came.
+  [[nodiscard]] const std::vector<client::participant>& others() const noexcept { return others_; }
   /// A person's name for a surface: its own, or its number.
   [[nodiscard]] QString surface_name(surface_id id) const;
 
@@ -87,6 +89,7 @@ signals:
   void closed();
   /// It has another name now, whoever gave it; all else is as it was.
   void renamed(const QString& before);
+  void others_changed();
   void head_changed();
   void surface_changed();
   void field_changed();
@@ -104,12 +107,14 @@ signals:
 private:
   void take_load_cases(const client::load_cases_event& event);
   void take_field(const shared_field& field);
+  void take(const client::participant& who, bool gone);
 
   remote& link_;
   QString name_;
   int opening_ = 0;
   version_store versions_;
   catalogue operations_;
+  std::vector<client::participant> others_;
   foreground_work foreground_;
   solve_requests solver_;
   load_requests loads_;

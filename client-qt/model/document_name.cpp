@@ -42,4 +42,9 @@ QString moment(const QDateTime& when, const QDateTime& now) {
   return locale.toString(when.date(), QLocale::ShortFormat);
 }
 
+QString moment_of(const std::string& utc) {
+  const auto when = QDateTime::fromString(QString::fromStdString(utc), Qt::ISODate);
+  return moment(when.toLocalTime(), QDateTime::currentDateTime());
+}
+
 }  // namespace tedit::desktop

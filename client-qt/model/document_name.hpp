@@ -22,5 +22,7 @@ struct document_title {
 
 /// A time as a person says it: "today, 14:02", "yesterday, 9:30", else the date.
 [[nodiscard]] QString moment(const QDateTime& when, const QDateTime& now);
+/// The same for a server's time, "2026-11-23T08:45:00Z".
+[[nodiscard]] QString moment_of(const std::string& utc);
 
 }  // namespace tedit::desktop

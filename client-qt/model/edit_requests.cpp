@@ -82,7 +82,7 @@ void edit_requests::apply(const edit_wish& wish) {
   emit applied(wish);
   ask(title, [=, id = wish.operation.toStdString(), once = client::make_edit_id()](
                client::client& c, const execution& run) {
-    return c.edit(id, wish.surfaces, wish.values, run, expected_version, wish.loads, once);
+    return c.edit(id, wish.surfaces, wish.values, run, expected_version, wish.loads, once, true);
   });
 }
 

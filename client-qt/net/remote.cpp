@@ -262,6 +262,9 @@ client::events remote::make_events() {
   handlers.on_cad = [this, here](const client::version_info& version) {
     here([this, version] { emit cad_known(version); });
   };
+  handlers.on_participant = [this, here](const client::participant& who, bool gone) {
+    here([this, who, gone] { emit participant_changed(who, gone); });
+  };
   handlers.on_renamed = [this, here](const std::string& name) {
     here([this, name = QString::fromStdString(name)] { emit renamed(name); });
   };

@@ -109,6 +109,8 @@ signals:
   void annotated(const tedit::client::version_info& version);
   /// How it stands on the CAD model has become known.
   void cad_known(const tedit::client::version_info& version);
+  /// Somebody else opened the document; `gone`: has it open no more.
+  void participant_changed(const tedit::client::participant& who, bool gone);
   void renamed(const QString& document);
   void solve_status(const tedit::client::solve_status& status);
   void solved(const tedit::solve_outcome& outcome);

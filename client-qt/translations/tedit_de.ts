@@ -5468,10 +5468,6 @@
         <translation>mit dem Dokument %1 wird gerade gearbeitet</translation>
     </message>
     <message>
-        <source>the document %1 is open in other clients (%2)</source>
-        <translation>das Dokument %1 ist in anderen Programmen geöffnet (%2)</translation>
-    </message>
-    <message>
         <source>the document is being deleted</source>
         <translation>das Dokument wird gerade gelöscht</translation>
     </message>
@@ -8515,6 +8511,18 @@
         <source>what came of the edit cannot be written</source>
         <translation>was bei der Änderung herauskam, lässt sich nicht schreiben</translation>
     </message>
+    <message>
+        <source>carried over from version %1: what was changed since then is elsewhere</source>
+        <translation>von Version %1 übernommen: was seitdem geändert wurde, liegt woanders</translation>
+    </message>
+    <message>
+        <source>one without a name</source>
+        <translation>eines ohne Namen</translation>
+    </message>
+    <message>
+        <source>the document %1 is open in other clients (%2: %3)</source>
+        <translation>das Dokument %1 ist in anderen Programmen offen (%2: %3)</translation>
+    </message>
 </context>
 <context>
     <name>server_lists</name>
@@ -9644,6 +9652,10 @@ TEdit ist freie Software unter der GNU Affero General Public License, Version 3 
     <message>
         <source>Compare with version %1</source>
         <translation>Mit Version %1 vergleichen</translation>
+    </message>
+    <message>
+        <source>made by %1, %2</source>
+        <translation>von %1, %2</translation>
     </message>
 </context>
 <context>
@@ -11519,6 +11531,26 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
     <message>
         <source>the stress shown is that before it; it is solved when it is applied</source>
         <translation>gezeigt ist die Spannung davor; gelöst wird, wenn sie angewendet ist</translation>
+    </message>
+    <message>
+        <source>somebody</source>
+        <translation>jemand</translation>
+    </message>
+    <message>
+        <source>%1 watches since %2</source>
+        <translation>%1 sieht zu seit: %2</translation>
+    </message>
+    <message>
+        <source>%1 is here since %2</source>
+        <translation>%1 ist hier seit: %2</translation>
+    </message>
+    <message>
+        <source>also here: %1</source>
+        <translation>auch hier: %1</translation>
+    </message>
+    <message>
+        <source>%1 others here</source>
+        <translation>%1 andere hier</translation>
     </message>
 </context>
 <context>

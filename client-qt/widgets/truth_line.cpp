@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "client-qt/model/document_name.hpp"
 #include "client-qt/model/operation_words.hpp"
 #include "client-qt/model/quantities.hpp"
 
@@ -38,13 +39,17 @@ truth_line::truth_line(document& part, remote& link, QWidget* parent)
   facts_->setObjectName("facts");
   // However much there is to say, it does not make the window wider than the screen.
   facts_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  others_ = new QLabel;
+  others_->setObjectName("others");
   server_ = new QLabel;
   server_->setObjectName("server");
   addWidget(verdict_);
   addWidget(stop_);
   addWidget(facts_, 1);
   server_->setContentsMargins(0, 0, 8, 0);  // No words at the very edge.
+  addPermanentWidget(others_);
   addPermanentWidget(server_);
+  connect(&part_, &document::others_changed, this, &truth_line::refresh_others);
   connect(&part_.solver(), &solve_requests::changed, this, &truth_line::refresh);
   connect(&part_, &document::field_changed, this, &truth_line::refresh);
   connect(&part_, &document::head_changed, this, &truth_line::refresh);
@@ -52,6 +57,7 @@ truth_line::truth_line(document& part, remote& link, QWidget* parent)
   connect(&link_, &remote::state_changed, this, &truth_line::refresh);
   keep_height();
   refresh();
+  refresh_others();
 }
 
 void truth_line::add(QWidget* widget) {
@@ -165,6 +171,24 @@ QString truth_line::server() const {
   if (link_.running() > 0)
     parts << tr("%1 waiting").arg(link_.running());
   return parts.join(QString::fromUtf8("  \u00b7  "));
+}
+
+/// By name as long as there is room for that; all of them in the tip.
+void truth_line::refresh_others() {
+  constexpr int longest = 40;  // Characters: the facts beside it are worth more.
+  QStringList names, lines;
+  for (const auto& one : part_.others()) {
+    const auto name = one.name.empty() ? tr("somebody") : QString::fromStdString(one.name);
+    names << name;
+    lines << (one.only_looks ? tr("%1 watches since %2") : tr("%1 is here since %2"))
+               .arg(name, moment_of(one.since));
+  }
+  others_->setVisible(!names.isEmpty());
+  const auto all = names.join(", ");
+  others_->setText(all.size() <= longest || names.size() == 1
+                     ? tr("also here: %1").arg(all.left(longest))
+                     : tr("%1 others here").arg(names.size()));
+  others_->setToolTip(lines.join("\n"));
 }
 
 void truth_line::refresh() {

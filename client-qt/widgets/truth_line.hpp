@@ -34,6 +34,7 @@ private:
   void keep_height();
   [[nodiscard]] QString facts() const;
   [[nodiscard]] QString server() const;
+  void refresh_others();
 
   document& part_;
   remote& link_;
@@ -42,6 +43,7 @@ private:
   QLabel* verdict_;
   QToolButton* stop_;
   QLabel* facts_;
+  QLabel* others_;
   QLabel* server_;
 };
 

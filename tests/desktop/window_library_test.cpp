@@ -115,7 +115,7 @@ TEST_F(ServerLibrary, WhatAnotherHasOpenStaysAndTheWindowSaysWhy) {
   press("documents_yes");
 
   const auto* words = window->findChild<QLabel*>("documents_words");
-  ASSERT_TRUE(wait([&] { return words->text().contains("is open in other clients (1)"); }));
+  ASSERT_TRUE(wait([&] { return words->text().contains("is open in other clients (1: "); }));
   EXPECT_TRUE(words->text().contains("closed there"));
   EXPECT_TRUE(has_file(name));
   EXPECT_TRUE(part().head());

@@ -191,7 +191,7 @@ TEST_F(Library, NobodyDeletesWhatAnotherHasOpen) {
     const auto refused = (*who)->delete_document("wing");
     ASSERT_FALSE(refused.has_value());
     EXPECT_EQ(refused.error().code, ec::conflict);
-    EXPECT_THAT(refused.error().message, HasSubstr("wing is open in other clients (1)"));
+    EXPECT_THAT(refused.error().message, HasSubstr("wing is open in other clients (1: "));
     EXPECT_THAT(refused.error().remedy, HasSubstr("closed there"));
   }
   EXPECT_EQ(value(user->undo()).head.number, 0U) << "all goes on as before";

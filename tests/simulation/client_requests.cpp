@@ -44,6 +44,7 @@ std::optional<simulated_client::request> simulated_client::make_request(const sc
     }
     case step_kind::apply:
       set_terms(message.mutable_apply_edit(), made, step);
+      message.mutable_apply_edit()->set_carry_over(step.value % 2 == 0);
       edit(message.mutable_apply_edit());
       return made;
     case step_kind::preview:

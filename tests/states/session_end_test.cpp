@@ -30,7 +30,8 @@ TEST_F(Deletion, OthersWhoHaveItOpenKeepADocument) {
   import_all();
   const auto refused = erase(mine_);
   EXPECT_EQ(refused.refusal().code, ec::conflict);
-  EXPECT_THAT(refused.refusal().message, HasSubstr("part is open in other clients (1)"));
+  EXPECT_THAT(refused.refusal().message,
+              HasSubstr("part is open in other clients (1: one without a name)"));
   EXPECT_THAT(tasks(), IsEmpty());
   const auto edited = edit(.1);
   finish({"edit", "check", "commit"});

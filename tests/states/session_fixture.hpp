@@ -67,12 +67,15 @@ inline caf::behavior make_helper(helper_actor* self, std::shared_ptr<page_cache>
       });
     },
     [=](job_id job, const edit_order& order) {
-      const auto by = std::get<double>((*order.wanted.get())->parameters.at("by"));
+      const auto given = (*order.wanted.get())->parameters;
+      const auto by = std::get<double>(given.at("by"));
+      const auto vertex = given.contains("vertex") ? std::get<double>(given.at("vertex")) : 0;
       const auto base = order.version.id;
       return add_task<operation_result>(self, "edit", job, base, [=] {
         operation_result result;
         result.version =
-          hold(self->state, simulation::nudged(self->state.versions.at(to_hex(base)), 0, by));
+          hold(self->state, simulation::nudged(self->state.versions.at(to_hex(base)),
+                                               static_cast<std::int64_t>(vertex), by));
         return result;
       });
     },
@@ -158,6 +161,7 @@ struct listener_state {
   std::vector<solve_note> solves;
   std::vector<solved> results;
   std::vector<version_info> cad;
+  std::vector<participant_changed> participants;
   static inline const char* name = "listener";
 };
 using listener_actor = caf::stateful_actor<listener_state>;
@@ -169,6 +173,7 @@ inline caf::behavior make_listener(listener_actor* self, int /*number*/) {
           [=](const solved& e) { self->state.results.push_back(e); },
           [=](const cad_known& e) { self->state.cad.push_back(e.info); },
           [](const version_annotated&) {},
+          [=](const participant_changed& e) { self->state.participants.push_back(e); },
           [](const document_renamed&) {},
           [](const request_progress&) {}};
 }
@@ -217,9 +222,9 @@ protected:
   /// As it looks after itself for ever, nothing would end it.
   ~Session() override { simulation::cut_off(caf::actor_cast<caf::actor>(session_)); }
 
-  caf::actor listen() {
+  caf::actor listen(const std::string& name = {}) {
     const auto who = stage_.system().spawn(make_listener, 0);
-    const auto got = ask<session_snapshot>(session_, attach_request{who});
+    const auto got = ask<session_snapshot>(session_, attach_request{who, false, name});
     pass(milliseconds(1));
     EXPECT_TRUE(got.is_success());
     return who;
@@ -262,6 +267,14 @@ protected:
   }
   answer<head_moved> edit(double by, const change_terms& terms = {}) {
     return request<head_moved>(edit_by(by, terms));
+  }
+  /// Of another vertex than the first.
+  answer<head_moved> edit_at(int vertex, const change_terms& terms,
+                             const std::vector<surface_id>& selected = {}) {
+    auto wanted = edit_by(.1, terms);
+    wanted.wanted.parameters["vertex"] = double(vertex);
+    wanted.wanted.surfaces = selected;
+    return request<head_moved>(wanted);
   }
   answer<head_moved> move(move_kind kind, std::uint32_t number = 0) {
     return request<head_moved>(move_request{kind, number, {}, mine_});

@@ -13,6 +13,7 @@
 #include <algorithm>
 
 #include "client-qt/model/cad_words.hpp"
+#include "client-qt/model/document_name.hpp"
 #include "client-qt/model/quantities.hpp"
 #include "client-qt/tools/history/version_editor.hpp"
 #include "client-qt/widgets/small_picture.hpp"
@@ -196,6 +197,9 @@ QString history_strip::details(const version_record& version) const {
     lines.prepend(QString::fromStdString(version.info.name));
   if (!version.info.note.empty())
     lines << QString::fromStdString(version.info.note);
+  if (!version.info.made_by.empty())
+    lines << tr("made by %1, %2")
+               .arg(QString::fromStdString(version.info.made_by), moment_of(version.info.made_at));
   if (const auto cad = cad_words(version.info); !cad.isEmpty())
     lines << cad;
   lines << tr("%1 tets").arg(desktop::count(static_cast<double>(version.info.tets)));

@@ -16,6 +16,7 @@ from .events import Event, FieldArrived, Lost, SurfaceChanged
 from .streams import Arrays
 from .surface import Field, Surface
 from .v1 import comparison_pb2 as comparison
+from .v1 import library_pb2 as library
 from .v1 import load_case_pb2 as load_case
 from .v1 import session_pb2 as session
 from .values import FileLike, LoadCaseLike, PolicyLike, Value, contents, make_edit_id, parameter, policy
@@ -78,6 +79,8 @@ class Document:
         self.can_undo = False
         self.can_redo = False
         self.load_cases: list[load_case.LoadCase] = []  #: Of the head.
+        self.participants: list[library.Participant] = []  #: All who have the document open, this client too.
+        self.participant = 0  #: Which of them this client is: `Participant.id`.
         self.surface = Surface()  #: Whole, of `surface.version_id`: the head's, or on its way there.
 
     # -- changes
@@ -113,13 +116,17 @@ class Document:
         *,
         loads: PolicyLike = "drop",
         expected_version: str = "",
+        carry_over: bool = False,
         edit_id: str = "",
         progress: Progress | None = None,
         cancel: CancelToken | None = None,
     ) -> session.Committed:
         """Applies an operation (`Client.operations`) to the head; returns once the new version is durable. Parameters
-        are in SI units. `loads` says what becomes of loads and supports whose surface goes: "drop", "move", "refuse"."""
+        are in SI units. `loads` says what becomes of loads and supports whose surface goes: "drop", "move", "refuse".
+        With `carry_over` an edit for an `expected_version` that is not the head any more is made on the head all the
+        same where it touches nothing that was changed since; else it is refused with `Conflict`."""
         body = self._edit_body(operation, surfaces, parameters, loads)
+        body.carry_over = carry_over
         return self._change("apply_edit", body, expected_version, edit_id, progress=progress, cancel=cancel).body
 
     def undo(self, *, expected_version: str = "", edit_id: str = "") -> session.Committed:
@@ -381,6 +388,8 @@ class Document:
             self.head = state.head if state.HasField("head") else None
             self.can_undo, self.can_redo = state.can_undo, state.can_redo
             self.load_cases = list(state.load_cases)
+            self.participants = list(state.participants)
+            self.participant = state.participant
             self._surface_fault = None
             self._begun = []
             self._changed.notify_all()
@@ -407,6 +416,9 @@ class Document:
         elif kind == "cad_state_changed":
             if self.head and self.head.number == body.version.number:
                 self.head.cad.CopyFrom(body.version.cad)
+        elif kind == "participant_changed":
+            others = [one for one in self.participants if one.id != body.participant.id]
+            self.participants = others if body.gone else [*others, body.participant]
         elif kind == "document_renamed":
             self.name = body.document
         return body

@@ -7,6 +7,7 @@ import typing
 
 from .errors import TeditError
 from .surface import Field, Surface
+from .v1 import library_pb2 as library
 from .v1 import session_pb2 as session
 
 
@@ -40,6 +41,7 @@ Event = typing.Union[
     session.LoadCasesChanged,
     session.VersionAnnotated,
     session.CadStateChanged,
+    library.ParticipantChanged,
     session.DocumentRenamed,
     SurfaceChanged,
     FieldArrived,

@@ -2,6 +2,7 @@
 """The package against a real server and a real part."""
 import json
 import pathlib
+import queue
 import subprocess
 import tempfile
 import threading
@@ -12,6 +13,7 @@ from serving import LOAD_CASE, LOADS, MESH, PROGRAM, SOURCE, Server
 
 import tedit
 from tedit import errors
+from tedit.v1 import library_pb2 as library
 from tedit.v1 import session_pb2 as session
 
 
@@ -228,6 +230,30 @@ class Editing(unittest.TestCase):
             with self.assertRaises(errors.Conflict) as raised:
                 self.part.edit("fill_hole", [92, 93], expected_version=seen)
             self.assertEqual((raised.exception.rival.client, raised.exception.rival.operation), ("bench", "fill_hole"))
+
+    def test_an_edit_elsewhere_is_carried_over(self):
+        with server.connect(name="bench") as other:
+            seen = self.part.head.version_id
+            theirs = other.open(self.part.name)
+            self.assertEqual([one.client for one in theirs.participants][-1], "bench")
+            self.assertEqual(theirs.participants[-1].id, theirs.participant)
+            theirs.edit("fill_hole", [1, 2])
+            made = self.part.edit("fill_hole", [92, 93], expected_version=seen, carry_over=True)
+            self.assertIn("carried over", " ".join(made.report.notices))
+            self.assertEqual(self.part.history().versions[1].made_by, "bench")
+            with self.assertRaisesRegex(errors.NotAHole, "was made for version") as raised:
+                self.part.edit("fill_hole", [98], expected_version=seen, carry_over=True)
+            self.assertTrue(raised.exception.message)
+
+    def test_who_comes_and_goes_is_told(self):
+        came = queue.Queue()
+        self.addCleanup(self.part.subscribe(lambda event: came.put(event) if isinstance(event, library.ParticipantChanged) else None))
+        with server.connect(name="visitor") as other:
+            other.open(self.part.name)
+            self.assertEqual(came.get(timeout=30).participant.client, "visitor")
+            self.assertIn("visitor", [one.client for one in self.part.participants])
+        self.assertTrue(came.get(timeout=30).gone)
+        self.assertNotIn("visitor", [one.client for one in self.part.participants])
 
     def test_an_edit_that_is_asked_twice_is_made_once(self):
         first = self.part.edit("fill_hole", [1, 2], edit_id="the-edit")

@@ -19,6 +19,7 @@ import {
   type History,
   type LoadCase,
   type OpenDocumentSchema,
+  type Participant,
   type SectionReady,
   type SelectSurfacesSchema,
   type ServerMessage,
@@ -49,6 +50,11 @@ export interface ChangeOptions extends CallOptions {
 }
 
 export interface EditOptions extends ChangeOptions {
+  /**
+   * Where the head is another than `expectedVersion`, the edit is made on it all the same if it touches nothing that was
+   * changed since.
+   */
+  carryOver?: boolean;
   /** What becomes of loads and supports whose surface goes; "drop" when absent. */
   loads?: Policy;
 }
@@ -97,6 +103,10 @@ export class Document {
   canRedo = false;
   /** Of the head. */
   loadCases: readonly LoadCase[] = [];
+  /** All who have the document open, this client too. */
+  participants: readonly Participant[] = [];
+  /** Which of them this client is: `Participant.id`. */
+  participant = 0n;
   /** Whole, of `surface.versionId`: the head's, or on its way there. */
   surface = Surface.none;
   /** What `watchFields` asked for. */
@@ -143,7 +153,7 @@ export class Document {
    */
   async edit(operation: string, surfaces: Iterable<SurfaceId>, parameters: Parameters = {}, options: EditOptions = {}): Promise<Committed> {
     const value = this.describeEdit(operation, surfaces, parameters, options);
-    return (await this.ask({ case: "applyEdit", value }, "committed", options)).value;
+    return (await this.ask({ case: "applyEdit", value: { ...value, carryOver: options.carryOver ?? false } }, "committed", options)).value;
   }
 
   async undo(options: ChangeOptions = {}): Promise<Committed> {
@@ -383,6 +393,8 @@ export class Document {
     this.canUndo = state.canUndo;
     this.canRedo = state.canRedo;
     this.loadCases = state.loadCases;
+    this.participants = state.participants;
+    this.participant = state.participant;
     this.surfaceFault = undefined;
     this.begun = [];
   }
@@ -407,6 +419,12 @@ export class Document {
       case "loadCasesChanged":
         this.loadCases = body.value.loadCases;
         return { type: body.case, message: body.value };
+      case "participantChanged": {
+        const { participant, gone } = body.value;
+        const others = this.participants.filter((one) => one.id !== participant?.id);
+        this.participants = gone || !participant ? others : [...others, participant];
+        return { type: body.case, message: body.value };
+      }
       case "documentRenamed":
         this.name = body.value.document;
         return { type: body.case, message: body.value };

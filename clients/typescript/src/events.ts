@@ -2,7 +2,7 @@
 // What a document tells by itself.
 import type { TeditError } from "./errors.js";
 import type { Field, Surface } from "./surface.js";
-import type { CadStateChanged, Committed, DocumentRenamed, LoadCasesChanged, Solved, SolveStatus, VersionAnnotated } from "./v1.js";
+import type { CadStateChanged, Committed, DocumentRenamed, LoadCasesChanged, ParticipantChanged, Solved, SolveStatus, VersionAnnotated } from "./v1.js";
 
 export type DocumentEvent =
   | { readonly type: "committed"; readonly message: Committed }
@@ -12,6 +12,8 @@ export type DocumentEvent =
   | { readonly type: "versionAnnotated"; readonly message: VersionAnnotated }
   /** How a version stands on the CAD model of its part is known now. */
   | { readonly type: "cadStateChanged"; readonly message: CadStateChanged }
+  /** Somebody else opened the document, or has it open no more. */
+  | { readonly type: "participantChanged"; readonly message: ParticipantChanged }
   | { readonly type: "documentRenamed"; readonly message: DocumentRenamed }
   | { readonly type: "surface"; readonly surface: Surface }
   /** Of one load case or of an envelope; maybe a first one (`field.interim`). */

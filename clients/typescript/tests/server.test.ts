@@ -178,6 +178,22 @@ test("a conflict names the rival", async () => {
   bench.close();
 });
 
+test("an edit elsewhere is carried over, and who is there is known", async () => {
+  const came = new Promise<string>((known) =>
+    part.on("participantChanged", ({ message }) => !message.gone && known(message.participant!.client)),
+  );
+  const bench = await server.connect({ name: "bench" });
+  const expectedVersion = part.head!.versionId;
+  const theirs = await bench.open(part.name);
+  assert.equal(await came, "bench");
+  assert.equal(theirs.participants.at(-1)!.id, theirs.participant);
+  await theirs.edit("fill_hole", [1, 2]);
+  const made = await part.edit("fill_hole", [92, 93], {}, { expectedVersion, carryOver: true });
+  assert.match(made.report!.notices.join(), /carried over/);
+  assert.equal((await part.history()).versions[1]!.madeBy, "bench");
+  bench.close();
+});
+
 test("an edit that is asked twice is made once", async () => {
   const first = await part.edit("fill_hole", [1, 2], {}, { editId: "the-edit" });
   const second = await part.edit("fill_hole", [1, 2], {}, { editId: "the-edit" });
