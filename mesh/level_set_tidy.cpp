@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 
 #include "mesh/level_set_freedom.hpp"
 #include "mesh/predicates.hpp"
@@ -14,6 +15,37 @@ namespace {
 
 /// A change must beat the old worst by this factor, so that no two changes undo each other.
 constexpr double margin = 1.001;
+
+/// What was tried without success, and need not be again before a tet at one of its vertices has
+/// changed: every try depends on nothing but the stars of those.
+class vain_tries {
+public:
+  /// Of a vertex, or of the edge between two.
+  [[nodiscard]] bool has(vertex_id a, vertex_id b) const {
+    const auto found = tried_.find(key(a, b));
+    return found != tried_.end() && changed_at(a) <= found->second &&
+           changed_at(b) <= found->second;
+  }
+  void add(vertex_id a, vertex_id b) { tried_[key(a, b)] = clock_; }
+
+  /// All corners of tets that are new or whose shape is another.
+  void changed(const std::unordered_set<vertex_id>& corners) {
+    ++clock_;
+    for (const auto v : corners)
+      changed_[v] = clock_;
+  }
+
+private:
+  static std::uint64_t key(vertex_id a, vertex_id b) { return (std::uint64_t{a} << 32) | b; }
+  [[nodiscard]] std::uint32_t changed_at(vertex_id v) const {
+    const auto found = changed_.find(v);
+    return found == changed_.end() ? 0 : found->second;
+  }
+
+  std::uint32_t clock_ = 0;
+  std::unordered_map<vertex_id, std::uint32_t> changed_;
+  std::unordered_map<std::uint64_t, std::uint32_t> tried_;
+};
 
 class tidier {
 public:
@@ -27,6 +59,8 @@ public:
     contraction best;
     const auto corner = mesh_.tet_at(t).v;
     for (const auto from : corner) {
+      if (std::ranges::all_of(corner, [&](auto to) { return to == from || vain_.has(from, to); }))
+        continue;
       const auto star = mesh_.star(from);
       if (!all_allowed(star))
         continue;
@@ -34,7 +68,7 @@ public:
       const double before = worst_of(star);
       const double tolerance = tolerance_at(from, star);
       for (const auto to : corner) {
-        if (to == from)
+        if (to == from || vain_.has(from, to))
           continue;
         const bool exact =
           freedom.dimensions > 0 && freedom.allows(mesh_.position(to) - mesh_.position(from));
@@ -46,13 +80,26 @@ public:
           best = std::move(trial);
       }
     }
-    return best.worst > 0 && apply(best.change);
+    if (best.worst > 0)
+      return apply(best.change);
+    for (const auto from : corner)
+      for (const auto to : corner)
+        if (to != from)
+          vain_.add(from, to);
+    return false;
   }
 
   /// Moves one corner of t to where the worst tet around it is best.
   bool relocate_corner(tet_id t) {
     const auto corner = mesh_.tet_at(t).v;
-    return std::ranges::any_of(corner, [&](vertex_id v) { return relocate(v); });
+    return std::ranges::any_of(corner, [&](vertex_id v) {
+      if (vain_.has(v, v))
+        return false;
+      if (relocate(v))
+        return true;
+      vain_.add(v, v);
+      return false;
+    });
   }
 
 private:
@@ -86,14 +133,18 @@ private:
     std::vector<std::array<vec3, 4>> corners;
     std::vector<int> middle;
 
-    /// The worst quality with the middle elsewhere; 0 as soon as it is no better than `beaten`.
+    /// The worst quality with the middle elsewhere; 0 as soon as it is no better than `beaten`. The
+    /// tet that says so stands first from then on: it will say so of most places.
     [[nodiscard]] double worst_at(vec3 at, double beaten) {
       double worst = 1;
       for (std::size_t i = 0; i < corners.size(); ++i) {
         corners[i][middle[i]] = at;
         worst = std::min(worst, radius_ratio(corners[i]));
-        if (!(worst > beaten))
-          return 0;
+        if (worst > beaten)
+          continue;
+        std::swap(corners[i], corners[0]);
+        std::swap(middle[i], middle[0]);
+        return 0;
       }
       return worst;
     }
@@ -168,10 +219,19 @@ private:
     return result;
   }
 
+  void add_corners(const std::vector<tet_id>& tets, std::unordered_set<vertex_id>& to) const {
+    for (const auto t : tets)
+      to.insert(mesh_.tet_at(t).v.begin(), mesh_.tet_at(t).v.end());
+  }
+
   bool apply(const cavity_change& change) {
+    std::unordered_set<vertex_id> corners;
+    add_corners(change.removed, corners);
     const auto ids = mesh_.apply(change);
     if (!ids)
       return false;
+    add_corners(*ids, corners);
+    vain_.changed(corners);
     for (const auto t : change.removed)
       allowed_.erase(t);
     allowed_.insert(ids->begin(), ids->end());
@@ -218,14 +278,20 @@ private:
       const auto p = mesh_.corners(t);
       return orient3d(p[0], p[1], p[2], p[3]) > 0;
     });
-    if (!positive)
+    if (!positive) {
       mesh_.set_position(v, start);
-    return positive;
+      return false;
+    }
+    std::unordered_set<vertex_id> corners;
+    add_corners(star, corners);
+    vain_.changed(corners);
+    return true;
   }
 
   mesh_builder& mesh_;
   std::unordered_set<tet_id> allowed_;
   const tidy_settings& settings_;
+  vain_tries vain_;
 };
 
 std::unordered_set<tet_id> with_rings(const mesh_builder& mesh, const std::vector<tet_id>& region,
