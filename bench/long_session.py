@@ -86,8 +86,10 @@ async def edit_often(server, host, surfaces, given):
         started = time.perf_counter()
         try:
             await server.ask("apply_edit", parameters={"depth_mm": parameter}, **request)
-        except hole_study.Refused:
+        except hole_study.Refused as why:
             refused.append(time.perf_counter() - started)
+            if given.verbose:
+                print(f"after {made} edits {operation} of {surface} by {depth:.4f} mm, {refused[-1]:.1f} s: {why}", file=sys.stderr)
             continue
         block.append((time.perf_counter() - started) * 1e3)
         made += 1
@@ -143,6 +145,7 @@ def main():
     parser.add_argument("surfaces")
     parser.add_argument("--edits", type=int, default=1000)
     parser.add_argument("--depth-mm", type=float, default=.02)
+    parser.add_argument("--verbose", action="store_true", help="say what is refused, and why")
     parser.add_argument("--program", default=str(ROOT / "build/release/bin/tedit"))
     given = parser.parse_args()
     with tempfile.TemporaryDirectory() as made:
