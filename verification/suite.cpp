@@ -166,7 +166,7 @@ expected<void> run_case(const case_id& id, fem::backend& device, const real_part
     return {};
   }
   case_context context(id.name, found->source, id.element_order, device, part, run, report);
-  const auto done = found->run(context);
+  auto done = found->run(context);
   if (done)
     return {};
   if (done.error().code == ec::cancelled)

@@ -24,7 +24,7 @@ bool add(QCoreApplication& app, const QString& name, const QString& folder) {
 QString of_the_system() {
   const auto all = languages();
   for (const auto& name : QLocale::system().uiLanguages())
-    if (const QString code = name.section('-', 0, 0); all.contains(code))
+    if (QString code = name.section('-', 0, 0); all.contains(code))
       return code;
   return "en";
 }
@@ -53,7 +53,7 @@ QString speak(QCoreApplication& app, const QString& wish) {
     const bool same = QLocale::system().language() == QLocale(language).language();
     QLocale::setDefault(same ? QLocale::system() : QLocale(language));
   };
-  const QString code = languages().contains(wish) ? wish : wish.isEmpty() ? of_the_system() : "en";
+  QString code = languages().contains(wish) ? wish : wish.isEmpty() ? of_the_system() : "en";
   set_numbers(code);
   if (code == "en")
     return code;

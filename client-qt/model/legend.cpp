@@ -106,8 +106,8 @@ constexpr std::array<fem::shown_quantity, 2> of_no_result{{
 }};
 
 const fem::shown_quantity& row_of(shown_field field) {
-  return is_of_result(field) ? quantity_of(field)
-                             : of_no_result[static_cast<std::size_t>(field.row + 2)];
+  const int of_none = field.row + 2;
+  return is_of_result(field) ? quantity_of(field) : of_no_result[static_cast<std::size_t>(of_none)];
 }
 
 QString in_users_words(std::string_view english) {

@@ -55,7 +55,7 @@ struct describe {
            direction(t.pa);
   }
   QString operator()(const fem::pressure& p) const {
-    const QString even = load_words_phrases::tr("Pressure ") + quantity(p.pa, "Pa");
+    QString even = load_words_phrases::tr("Pressure ") + quantity(p.pa, "Pa");
     if (p.gradient_pa_m == vec3{})
       return even;
     return even + ", " +

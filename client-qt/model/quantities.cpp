@@ -127,7 +127,7 @@ QString side_by_side(const QStringList& numbers) {
 
 QString quantity(double in_si, const QString& si_unit) {
   const auto unit = si_unit == "m3" ? by_size(volumes, in_si) : shown_as(si_unit);
-  const QString text = number(in_si * unit.scale);
+  QString text = number(in_si * unit.scale);
   if (unit.name.isEmpty())
     return text;
   return unit.name == QString::fromUtf8("°") ? text + unit.name : text + " " + unit.name;

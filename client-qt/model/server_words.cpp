@@ -125,7 +125,7 @@ QString place_words_of(const QString& text, int depth, bool& known) {
     capital[0] = capital[0].toUpper();
   for (const char* context : {"operations", "receipt_words"})
     for (const auto& word : {english, capital.toUtf8()})
-      if (const QString found = QCoreApplication::translate(context, word);
+      if (QString found = QCoreApplication::translate(context, word);
           found != QString::fromUtf8(word))
         return found;
   known = known && is_number(text);
@@ -181,7 +181,7 @@ std::optional<QString> by_parts(const QString& text, const QString& between) {
 }  // namespace
 
 QString in_window_language(const std::string& said) {
-  const QString text = QString::fromStdString(said);
+  QString text = QString::fromStdString(said);
   if (const auto whole = translated(text, 0))
     return *whole;
   for (const char* between : {". ", "; "})

@@ -88,12 +88,11 @@ public:
   /// Runs a blocking call of the client library aside. `done` is called once, here; not any more
   /// when this object is gone. Without a connection it is called with `service_unavailable`.
   template <class T>
-  ticket run(work<T> call, reply<T> done, progress advanced = {}) {
+  ticket run(work<T> call, reply<T> done, const progress& advanced = {}) {
     auto result = std::make_shared<expected<T>>(fail(not_connected()));
     return start([call = std::move(call), result](client::client& c,
                                                   const execution& e) { *result = call(c, e); },
-                 [done = std::move(done), result] { done(std::move(*result)); },
-                 std::move(advanced));
+                 [done = std::move(done), result] { done(std::move(*result)); }, advanced);
   }
 
 signals:

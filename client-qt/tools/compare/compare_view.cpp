@@ -253,12 +253,18 @@ void compare_view::refresh() {
     if (!row->surface)
       row->surface = fetched_.at(row->info.number);
   QString why;
-  for (const auto* row : {&one, &other})
-    if (why.isEmpty() && !(why = not_held(*row, what_->load_case, what_->by.field)).isEmpty())
-      wanted_ = row->info.number;
+  for (const auto* row : {&one, &other}) {
+    why = not_held(*row, what_->load_case, what_->by.field);
+    if (why.isEmpty())
+      continue;
+    wanted_ = row->info.number;
+    break;
+  }
   // Beside each other the shapes say something without their fields, too.
   shared_field of_server;
-  if (!why.isEmpty() && difference_ && !(of_server = server_change(other, why)))
+  if (!why.isEmpty() && difference_)
+    of_server = server_change(other, why);
+  if (!why.isEmpty() && difference_ && !of_server)
     return show_missing(why, server_says_.has_value() || !asked_server_);
   show_missing({}, false);
   before_.box->setVisible(!difference_);
