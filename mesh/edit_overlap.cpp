@@ -33,6 +33,29 @@ differences compare(const mesh_version& from, const mesh_version& to) {
   return found;
 }
 
+/// Live tets of `from` that `to` has not, or with another shape. Ascending.
+std::vector<tet_id> other_tets(const mesh_version& from, const mesh_version& to) {
+  std::vector<tet_id> found;
+  for_each_dirty_slot(from.data().tets, to.data().tets, [&](tet_id t) {
+    if (t < from.tet_slots() && from.is_live_tet(t) &&
+        (t >= to.tet_slots() || from.tet_at(t) != to.tet_at(t)))
+      found.push_back(t);
+  });
+  std::vector<tet_id> star;
+  for_each_dirty_slot(from.data().positions, to.data().positions, [&](vertex_id v) {
+    if (v >= from.vertex_slots() || !from.is_live_vertex(v) ||
+        (v < to.vertex_slots() && from.position(v) == to.position(v)))
+      return;
+    star.clear();
+    grow_star(from, v, from.incident_tet(v), star);
+    found.insert(found.end(), star.begin(), star.end());
+  });
+  std::ranges::sort(found);
+  const auto twice = std::ranges::unique(found);
+  found.erase(twice.begin(), twice.end());
+  return found;
+}
+
 bool is_same_facet(const mesh_version& here, const mesh_version& there, facet_id f) {
   return f < there.facet_slots() && there.is_live_facet(f) && here.facet(f).v == there.facet(f).v &&
          here.facet(f).surface == there.facet(f).surface;
@@ -57,21 +80,19 @@ edit_overlap overlap_of(const mesh_version& seen, const mesh_version& head,
                         const mesh_version& edited, std::span<const surface_id> selected) {
   edit_overlap result;
   const auto since = compare(head, seen);
-  const auto by_edit = compare(head, edited);
-  std::vector<bool> both(head.tet_slots());
-  for (tet_id t = 0; t < head.tet_slots(); ++t)
-    if (head.is_live_tet(t) && by_edit.at(head, t) && since.at(head, t)) {
-      both[t] = true;
-      ++result.tets;
-    }
+  auto both = other_tets(head, edited);
+  std::erase_if(both, [&](tet_id t) { return !since.at(head, t); });
+  result.tets = both.size();
   std::set<surface_id> surfaces, reshaped;
   if (result.tets > 0)
     for (facet_id f = 0; f < head.facet_slots(); ++f)
-      if (head.is_live_facet(f) && both[head.facet(f).tet])
+      if (head.is_live_facet(f) && std::ranges::binary_search(both, head.facet(f).tet))
         surfaces.insert(head.facet(f).surface);
   result.surfaces.assign(surfaces.begin(), surfaces.end());
-  add_reshaped(head, seen, since.vertices, selected, reshaped);
-  add_reshaped(seen, head, compare(seen, head).vertices, selected, reshaped);
+  if (!selected.empty()) {
+    add_reshaped(head, seen, since.vertices, selected, reshaped);
+    add_reshaped(seen, head, compare(seen, head).vertices, selected, reshaped);
+  }
   result.reshaped.assign(reshaped.begin(), reshaped.end());
   return result;
 }

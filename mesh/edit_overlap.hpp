@@ -23,7 +23,8 @@ struct edit_overlap {
 /// its result. Which tets of `head` does it take, replace or reshape that `seen` has not, or not
 /// so; and which of the `selected` surfaces has other facets than in `seen`? Where there is none of
 /// either, all that the edit touches is as it was seen. Corners are compared by vertex and place,
-/// so that `seen` may lie on another branch of the document. Cost: O(tets of `head`), some ns each.
+/// so that `seen` may lie on another branch of the document. Cost: O(pages that differ, facets of
+/// `head`).
 [[nodiscard]] edit_overlap overlap_of(const mesh_version& seen, const mesh_version& head,
                                       const mesh_version& edited,
                                       std::span<const surface_id> selected);
