@@ -123,7 +123,7 @@ void run(int rounds) {
 }  // namespace tedit
 
 int main(int argc, char** argv) {
-  logging::set_level("warn");
+  tedit::logging::set_level("warn");
   try {
     tedit::run(argc > 1 ? std::max(1, std::atoi(argv[1])) : 10);
   } catch (const std::exception& e) {

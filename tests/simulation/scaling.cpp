@@ -239,7 +239,7 @@ void run(const service_time& times) {
 }  // namespace tedit::actors
 
 int main(int argc, char** argv) {
-  logging::set_level("off");
+  tedit::logging::set_level("off");
   tedit::actors::service_time times;
   if (argc > 1)
     times.first_s = std::strtod(argv[1], nullptr);

@@ -75,7 +75,7 @@ void show_least(const scenario& all, const std::filesystem::path& folder) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  logging::set_level("off");
+  tedit::logging::set_level("off");
   for (const int signal : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGTERM})
     std::signal(signal, say_last_words);
   const number first = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 1;
