@@ -41,6 +41,7 @@ truth_line::truth_line(document& part, remote& link, QWidget* parent)
   facts_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   others_ = new QLabel;
   others_->setObjectName("others");
+  others_->setContentsMargins(0, 0, 12, 0);  // Not as if the server's address were one of them.
   server_ = new QLabel;
   server_->setObjectName("server");
   addWidget(verdict_);

@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "client-qt/tools/documents/documents_dialog.hpp"
+#include "client-qt/tools/history/history_strip.hpp"
 #include "client-qt/tools/pictures/kept_picture.hpp"
 
 namespace tedit::desktop {
@@ -119,6 +120,30 @@ TEST_F(ServerLibrary, WhatAnotherHasOpenStaysAndTheWindowSaysWhy) {
   EXPECT_TRUE(words->text().contains("closed there"));
   EXPECT_TRUE(has_file(name));
   EXPECT_TRUE(part().head());
+}
+
+TEST_F(ServerLibrary, WhoElseHasThePartOpenAndWhoMadeAVersionIsSaid) {
+  open_plate(false);
+  const auto* others = window->findChild<QLabel*>("others");
+  EXPECT_TRUE(others->isHidden());
+  auto line = window->context().link.options();
+  line.client_name = "anna";
+  auto other = client::client::connect(line, {});
+  ASSERT_TRUE(other.has_value());
+  ASSERT_TRUE((*other)->open(part().name().toStdString(), false, false).has_value());
+  ASSERT_TRUE(wait([&] { return others->text() == "also here: anna"; }));
+  EXPECT_FALSE(others->isHidden());
+  EXPECT_TRUE(others->toolTip().startsWith("anna is here since today, "));
+
+  ASSERT_TRUE((*other)->edit("fill_hole", {1, 2}, {}, {}).has_value());
+  ASSERT_TRUE(wait([&] { return part().head()->info.number == 1 && shows_head(); }));
+  EXPECT_EQ(part().head()->info.made_by, "anna");
+  const auto* strip = window->findChild<history_strip*>();
+  ASSERT_TRUE(wait([&] {
+    return strip->count() == 2 && strip->item(1)->toolTip().contains("made by anna, today");
+  }));
+  other->reset();
+  ASSERT_TRUE(wait([&] { return others->isHidden(); }));
 }
 
 TEST_F(ServerLibrary, APartThatIsClosedIsNotInUseAndAnotherMayDeleteIt) {
