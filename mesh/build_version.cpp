@@ -17,6 +17,8 @@ namespace tedit {
 
 namespace {
 
+constexpr const char* write_again = "The file is damaged: write it again";
+
 /// Builds one version; the members are filled step by step in the order of `run`.
 class version_assembler {
 public:
@@ -78,31 +80,33 @@ private:
       return fail(ec::bad_input, "the mesh has no volume elements (tets)",
                   "Mesh the volume, not only its surface");
     if (raw_.tets.size() > max_slots / 4 || raw_.positions.size() > max_slots)
-      return fail(ec::bad_input, "the mesh is too large: at most 2^29 tets are supported");
+      return fail(ec::bad_input, "the mesh is too large: at most 2^29 tets are supported",
+                  "Mesh the part coarser");
     raw_.tet_regions.resize(raw_.tets.size(), 0);
     const auto count = raw_.positions.size();
     for (std::size_t v = 0; v < count; ++v)
       if (!is_finite(raw_.positions[v]))
-        return fail(ec::bad_input, "node " + node_name(v) + " has a coordinate that is no number");
+        return fail(ec::bad_input, "node " + node_name(v) + " has a coordinate that is no number",
+                    write_again, "node " + node_name(v));
     for (std::size_t t = 0; t < raw_.tets.size(); ++t) {
       const auto& v = raw_.tets[t].v;
       if (std::ranges::any_of(v, [&](vertex_id i) { return i >= count; }))
-        return fail(ec::bad_input, tet_name(t) + " names a node that does not exist");
+        return fail(ec::bad_input, tet_name(t) + " names a node that does not exist", write_again,
+                    tet_name(t));
       if (v[0] == v[1] || v[0] == v[2] || v[0] == v[3] || v[1] == v[2] || v[1] == v[3] ||
           v[2] == v[3])
-        return fail(ec::bad_input, tet_name(t) + " names the same node twice");
+        return fail(ec::bad_input, tet_name(t) + " names the same node twice",
+                    "Remove it, or mesh the part again", tet_name(t));
     }
     for (const auto& triangle : raw_.triangles)
       if (std::ranges::any_of(triangle.v, [&](vertex_id i) { return i >= count; }))
-        return fail(ec::bad_input, "a triangle names a node that does not exist");
+        return fail(ec::bad_input, "a triangle names a node that does not exist", write_again);
     return {};
   }
 
   [[nodiscard]] static error no_face(const std::string& triangle) {
-    return {ec::bad_input,
-            triangle + " is no face of any tet",
-            "Surface and volume mesh must fit together: mesh the part again",
-            {}};
+    return {ec::bad_input, triangle + " is no face of any tet",
+            "Surface and volume mesh must fit together: mesh the part again", triangle};
   }
 
   /// Volumes, areas and stiffnesses are products of up to eight lengths: they must not overflow.
@@ -116,7 +120,7 @@ private:
                     "node " + node_name(v) + " lies " +
                       std::to_string(static_cast<int>(std::log10(far))) +
                       " powers of ten metres away; at most 30 are supported",
-                    "Check its coordinates and the length unit");
+                    "Check its coordinates and the length unit", "node " + node_name(v));
     }
     return {};
   }
@@ -185,7 +189,7 @@ private:
       const double v = volume(t);
       if (!std::isfinite(v))
         return fail(ec::bad_input, "the volume of " + tet_name(t) + " is too large for a number",
-                    "Check the coordinates of its nodes");
+                    "Check the coordinates of its nodes", tet_name(t));
       negative += v < 0;
     }
     if (negative * 2 > raw_.tets.size()) {
@@ -318,8 +322,7 @@ private:
           return {ec::bad_input,
                   tet_name(group[j].tet()) + " and " + tet_name(group[i].tet()) +
                     " are the same tet twice",
-                  "Remove one of them: its stiffness would count double",
-                  {}};
+                  "Remove one of them: its stiffness would count double", tet_name(group[i].tet())};
     const auto a = group[0].tet();
     const auto b = group[1].tet();
     const auto& order = tet_faces[group[0].face()];
@@ -331,13 +334,11 @@ private:
               "face " + face + " belongs to " + std::to_string(group.size()) + " tets (" +
                 tet_name(a) + ", " + tet_name(b) + ", " + tet_name(group[2].tet()) +
                 "): tets overlap",
-              "Mesh the part again",
-              {}};
+              "Mesh the part again", "face " + face};
     return {ec::bad_input,
             tet_name(a) + " and " + tet_name(b) + " lie on the same side of face " + face +
               ": tets overlap",
-            "Mesh the part again",
-            {}};
+            "Mesh the part again", "face " + face};
   }
 
   expected<void> match_triangles() {
@@ -365,7 +366,7 @@ private:
                   triangle_name(triangle) + " is claimed by surface " +
                     std::to_string(facets_[*f].surface) + " and by surface " +
                     std::to_string(triangle.surface),
-                  "Give each boundary triangle one surface");
+                  "Give each boundary triangle one surface", triangle_name(triangle));
     repeated_triangles_ += has_surface_[*f];
     facets_[*f].surface = triangle.surface;
     has_surface_[*f] = true;

@@ -10,6 +10,7 @@
 
 #include "base/text.hpp"
 #include "protocol/json.hpp"
+#include "protocol/json_faults.hpp"
 #include "protocol/load_case_message.hpp"
 #include "protocol/numbers.hpp"
 #include "protocol/vector_message.hpp"
@@ -242,15 +243,39 @@ void to_message(const fem::load_case& loads, v1::LoadCase* out) {
   }
 }
 
+namespace {
+
+/// What is no text of UTF-8 is told as such: the parser's words name letters that nobody sees.
+expected<std::string_view> as_text(std::string_view json, const std::string& source) {
+  constexpr std::string_view mark = "\xEF\xBB\xBF";
+  if (json.empty())
+    return fail(ec::bad_input, "this is no load case: it is empty", "Write the file again", source);
+  if (!is_utf8(json))
+    return fail(ec::bad_input, "this is no load case: it is no text in UTF-8",
+                "Save it as UTF-8, or choose a file of JSON", source);
+  return json.starts_with(mark) ? json.substr(mark.size()) : json;
+}
+
+}  // namespace
+
 expected<fem::load_case> load_case_from_json(std::string_view json, const std::string& source) {
+  if (const auto text = as_text(json, source))
+    json = *text;
+  else
+    return fail(text.error());
   v1::LoadCase message;
   google::protobuf::util::JsonParseOptions options;
   options.ignore_unknown_fields = false;
   const auto status = google::protobuf::util::JsonStringToMessage(
     google::protobuf::StringPiece(json.data(), json.size()), &message, options);
-  if (!status.ok())
-    return fail(ec::bad_input, "this is no load case: " + std::string(status.message()),
-                "See the message LoadCase in protocol/tedit/v1/load_case.proto", source);
+  if (!status.ok()) {
+    const auto fault = json_fault_of(json, {status.message().data(), status.message().size()});
+    return fail(ec::bad_input, "this is no load case: " + fault.message,
+                fault.place.starts_with("line")
+                  ? "Correct the text there"
+                  : "See the message LoadCase in protocol/tedit/v1/load_case.proto",
+                source + (fault.place.empty() ? "" : ", " + fault.place));
+  }
   auto result = from_message(message);
   if (!result) {
     auto failure = result.error();
@@ -263,13 +288,18 @@ expected<fem::load_case> load_case_from_json(std::string_view json, const std::s
 expected<fem::load_case> load_case_from_file(const std::filesystem::path& path) {
   constexpr std::uintmax_t largest = 16 * 1024 * 1024;
   std::error_code code;
-  const auto size = std::filesystem::file_size(path, code);
-  std::ifstream in(path, std::ios::binary);
-  if (code || !in)
+  // A pipe or a device may never end, and a folder has no bytes.
+  const bool is_file = std::filesystem::is_regular_file(path, code);
+  const auto size = is_file ? std::filesystem::file_size(path, code) : 0;
+  std::ifstream in;
+  if (is_file)
+    in.open(path, std::ios::binary);
+  if (!is_file || code || !in)
     return fail(ec::io_error, "cannot read the load case " + path.string(),
                 "Check the path and its permissions");
   if (size > largest)
-    return fail(ec::bad_input, path.string() + " is too large for a load case (more than 16 MiB)");
+    return fail(ec::bad_input, path.string() + " is too large for a load case (more than 16 MiB)",
+                "Choose the file of a load case");
   std::ostringstream text;
   text << in.rdbuf();
   return load_case_from_json(text.str(), path.string());

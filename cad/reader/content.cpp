@@ -31,6 +31,8 @@
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
 
+#include "cad/reader/text_faults.hpp"
+
 namespace tedit::cad {
 
 namespace {
@@ -261,10 +263,7 @@ cad_content read_step(const std::string& file, const teller& tells) {
   reader.SetMatMode(false);
   reader.SetViewMode(false);
   if (reader.ReadFile(file.c_str()) != IFSelect_RetDone)
-    tells.refuse({ec::bad_input,
-                  "the STEP file cannot be read: its text is damaged or cut off",
-                  "Export it again from the CAD program",
-                  {}});
+    tells.refuse(step_fault(file));
   tells.stage(0.3, "transferring the model");
   auto document = new_document();
   if (!reader.Transfer(document))
@@ -317,6 +316,8 @@ cad_content read_iges(const std::string& file, const teller& tells) {
 cad_content read_brep(const std::string& file, const teller& tells) {
   cad_content content;
   tells.stage(0.05, "reading the BREP file");
+  if (const auto counts = check_brep_counts(file); !counts)
+    tells.refuse(counts.error());
   TopoDS_Shape shape;
   BRep_Builder builder;
   if (!BRepTools::Read(shape, file.c_str(), builder) || shape.IsNull())

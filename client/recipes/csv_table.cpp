@@ -88,8 +88,11 @@ private:
       cell += text_[at_];
     }
     if (!at_end() && text_[at_] != separator_ && text_[at_] != '\r' && text_[at_] != '\n')
-      refuse_line(line_, "goes on after the closing quote of a cell",
-                  "Write a quote inside a cell as \"\"");
+      refuse_line(
+        line_,
+        "goes on after the closing quote of a cell" +
+          (begin == line_ ? std::string() : " that began in line " + std::to_string(begin)),
+        "Write a quote inside a cell as \"\"");
     return cell;
   }
 
@@ -124,11 +127,23 @@ std::vector<std::string> columns_of(const csv_row& header) {
   return names;
 }
 
+/// A spreadsheet's own file is none from its first line on.
+std::string line_of_other_bytes(std::string_view text) {
+  std::size_t line = 1;
+  for (; text.find('\n') != std::string_view::npos; ++line) {
+    const auto one = text.substr(0, text.find('\n'));
+    if (!is_utf8(one) || one.find('\0') != std::string_view::npos)
+      break;
+    text.remove_prefix(one.size() + 1);
+  }
+  return "line " + std::to_string(line) + " of the table is no text in UTF-8";
+}
+
 csv_table table_from(std::string_view text) {
   if (text.starts_with("\xEF\xBB\xBF"))
     text.remove_prefix(3);
   if (!is_utf8(text) || text.find('\0') != std::string_view::npos)
-    refuse("the table is no text in UTF-8", "Save it as \"CSV UTF-8\"");
+    refuse(line_of_other_bytes(text), "Save it as \"CSV UTF-8\"");
   csv_reader in(text);
   csv_table result;
   while (!in.at_end()) {

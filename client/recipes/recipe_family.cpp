@@ -275,7 +275,8 @@ expected<recipe_family> recipe_family::read(const std::filesystem::path& recipe,
     auto made = std::make_unique<parts>(parts{parse_json(*text), offered});
     return recipe_family(std::move(made), std::move(*rows), recipe.parent_path());
   } catch (const error& e) {
-    return fail(e.code, e.message, e.remedy, recipe.string());
+    return fail(e.code, e.message, e.remedy,
+                recipe.string() + (e.where.empty() ? "" : ", " + e.where));
   }
 }
 

@@ -17,7 +17,8 @@ expected<recipe> read_recipe(const std::filesystem::path& file) {
     return fail(text.error());
   auto result = recipe_from_json(*text, file.parent_path());
   if (!result)
-    result.error().where = file.string();
+    result.error().where =
+      file.string() + (result.error().where.empty() ? "" : ", " + result.error().where);
   return result;
 }
 

@@ -473,7 +473,7 @@ expected<recipe> recipe_from_json(std::string_view text, const std::filesystem::
   try {
     return recipe_from(parse_json(text), folder);
   } catch (const error& e) {
-    return fail(e.code, e.message, e.remedy.empty() ? "See docs/recipes.md" : e.remedy);
+    return fail(e.code, e.message, e.remedy.empty() ? "See docs/recipes.md" : e.remedy, e.where);
   }
 }
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "client/recipes/values.hpp"
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <utility>
+
+#include "base/text.hpp"
 
 namespace tedit::client {
 
@@ -42,7 +45,41 @@ bool flag_from(const json& value, const std::string& what) {
   return value.get<bool>();
 }
 
+namespace {
+
+/// "[json.exception.parse_error.101] parse error at line 3, column 5: syntax error while parsing
+/// value - unexpected end of input" without the words of the library, and with its place.
+error fault_of(std::string_view text, std::string words) {
+  error why{ec::bad_input, {}, "Correct the text there; docs/recipes.md has examples", {}};
+  const auto take_behind = [&](std::string_view part) {
+    const auto at = words.find(part);
+    if (at != std::string::npos)
+      words.erase(0, at + part.size());
+    return at != std::string::npos;
+  };
+  take_behind("] ");
+  if (take_behind("parse error at ")) {
+    const auto end = std::min(words.find(": "), words.size());
+    why.where = words.substr(0, end);
+    words.erase(0, std::min(end + 2, words.size()));
+    take_behind(" - ");
+  } else if (const auto quote = words.find('\''); quote != std::string::npos) {
+    // A number that is too large stands in quotes.
+    const auto at = text.find(words.substr(quote + 1, words.rfind('\'') - quote - 1));
+    if (at != std::string_view::npos)
+      why.where = "line " + std::to_string(1 + std::ranges::count(text.substr(0, at), '\n'));
+  }
+  why.message = "this is no JSON: " + to_utf8(words);
+  return why;
+}
+
+}  // namespace
+
 json parse_json(std::string_view text) {
+  if (text.empty())
+    refuse("the file is empty", "Write it again");
+  if (!is_utf8(text))
+    refuse("this is no JSON: it is no text in UTF-8", "Save it as UTF-8, or choose another file");
   try {
     return json::parse(text, [](int depth, json::parse_event_t, json&) {
       if (depth > most_depth)
@@ -50,7 +87,7 @@ json parse_json(std::string_view text) {
       return true;
     });
   } catch (const json::exception& e) {
-    refuse(std::string("this is no JSON: ") + e.what());
+    throw fault_of(text, e.what());
   }
 }
 

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "mesh/io/bdf_cards.hpp"
 
+#include <algorithm>
+
 namespace tedit {
 
 namespace {
+
+constexpr std::size_t most_empty_lines = 100;  ///< Of one card, behind each other.
 
 /// Tabs go to the next column that is a multiple of eight.
 std::string without_tabs(std::string_view line) {
@@ -76,10 +80,16 @@ bool is_bdf_comment(std::string_view line) {
 
 bdf_card read_bdf_card(line_cursor& in) {
   auto line = fields_of(in.line());
+  // A decimal comma in a line of columns makes it one of commas.
+  if (line.first.find(' ') != std::string::npos)
+    in.fail_here(ec::bad_input,
+                 "the card \"" + shown(line.first) + "\" has both columns and commas",
+                 "Write decimals with a point");
   if (line.first.ends_with('*'))
     line.first.pop_back();
   bdf_card card{{std::string(trimmed(line.first))}, in.number()};
   card.fields.insert(card.fields.end(), line.data.begin(), line.data.end());
+  std::size_t empty_lines = 0;
   while (in.next()) {
     if (is_bdf_comment(in.line()) || trimmed(in.line()).empty())
       continue;
@@ -88,6 +98,13 @@ bdf_card read_bdf_card(line_cursor& in) {
       in.back();
       break;
     }
+    const bool is_empty =
+      std::ranges::all_of(line.data, [](const std::string& field) { return field.empty(); });
+    empty_lines = is_empty ? empty_lines + 1 : 0;
+    // A few letters must not become fields without end.
+    if (empty_lines > most_empty_lines)
+      in.fail_here(ec::bad_input, "a " + shown(card.name()) + " goes on over more than " +
+                                    std::to_string(most_empty_lines) + " empty lines");
     card.fields.insert(card.fields.end(), line.data.begin(), line.data.end());
   }
   return card;

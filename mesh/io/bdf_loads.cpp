@@ -64,7 +64,8 @@ void bdf_reader::read_spc1(const bdf_card& card) {
     if (last < first || last - first >= members_left_)
       throw file_failure{
         {ec::bad_input,
-         "THRU of a SPC1 goes from " + std::to_string(first) + " to " + std::to_string(last),
+         "THRU of a SPC1 goes from " + std::to_string(first) + " to " + std::to_string(last) +
+           (last < first ? ", which is back" : ", more nodes than such a file can have"),
          "Correct the card or write the file again", "line " + std::to_string(card.line)}};
     members_left_ -= last - first + 1;
     for (auto node = first; node <= last; ++node)
@@ -157,9 +158,29 @@ bool bdf_reader::is_asked_support(std::uint64_t set) const {
   return sum != spc_sums_.end() && sum->second.contains(set);
 }
 
+/// Case control may ask for sets that no card has: then nothing acts.
+void bdf_reader::say_what_is_not_there(const std::map<std::uint64_t, double>& asked) {
+  std::set<std::uint64_t> there;
+  for (const auto& one : forces_)
+    there.insert(one.set);
+  for (const auto& one : pressures_)
+    there.insert(one.set);
+  for (const auto& one : gravity_)
+    there.insert(one.set);
+  for (const auto& [set, factor] : asked)
+    if (!there.contains(set) && nothing_asked_.size() < 12)
+      nothing_asked_.push_back("the deck asks for the load set " + std::to_string(set) +
+                               ", and no card that is read has it");
+  if (asked_spc_ &&
+      std::ranges::none_of(held_, [&](const auto& one) { return is_asked_support(one.set); }))
+    nothing_asked_.push_back("the deck asks for the supports " + std::to_string(*asked_spc_) +
+                             ", and no card that is read has them");
+}
+
 void bdf_reader::take_loads() {
   take_pressures();
   const auto asked = asked_loads();
+  say_what_is_not_there(asked);
   // Without case control every load acts, as in a file that is bulk data alone.
   const auto factor = [&](std::uint64_t set) {
     const auto found = asked.find(set);

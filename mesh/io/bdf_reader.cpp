@@ -111,13 +111,16 @@ read_mesh bdf_reader::run() {
       continue;
     if (!in_bulk_ && !begins_bulk(text)) {
       in_bulk_ = text.starts_with("BEGIN") && text.find("BULK") != text.npos;
+      has_begin_ = in_bulk_;
       if (!in_bulk_)
         read_case_control(in_.line());
       continue;
     }
     in_bulk_ = true;
-    if (text.starts_with("ENDDATA"))
+    if (text.starts_with("ENDDATA")) {
+      has_end_ = true;
       break;
+    }
     const auto card = read_bdf_card(in_);
     if (const auto* known = find(card.name()))
       (this->*known->read)(card);
@@ -135,7 +138,12 @@ read_mesh bdf_reader::run() {
     out_.mesh_notice =
       "the load case that TEdit wrote into the file is left out: its cards were "
       "changed since, and are read as they are";
-  return out_.finish();
+  auto read = out_.finish();
+  if (has_begin_ && !has_end_)
+    read.notices.push_back("the deck has BEGIN BULK and no ENDDATA: it may be cut off");
+  for (const auto& words : nothing_asked_)
+    read.notices.push_back(words);
+  return read;
 }
 
 std::uint64_t bdf_reader::number(const bdf_card& card, std::size_t field, const char* what) {
@@ -181,10 +189,31 @@ void bdf_reader::refuse_system(const bdf_card& card) {
                       "Write the nodes in basic coordinates", "line " + std::to_string(card.line)}};
 }
 
+/// Fields behind the coordinates: mostly a decimal comma has made them.
+void bdf_reader::check_behind_coordinates(const bdf_card& card) {
+  const auto is_set = [&](std::size_t field) {
+    return !card.at(field).empty() && integer_of(card.at(field)) != 0;
+  };
+  if (!is_set(6) && !is_set(7) && !is_set(8))
+    return;
+  for (std::size_t field = 3; field < 6; ++field)
+    if (integer_of(card.at(field)).value_or(0) != 0)
+      throw file_failure{{ec::bad_input,
+                          "GRID " + shown(card.at(1)) + " has the whole number " +
+                            shown(card.at(field)) +
+                            " as a coordinate, and fields behind its coordinates",
+                          "Write decimals with a point", "line " + std::to_string(card.line)}};
+  if (is_set(6))
+    out_.leave_out("GRID with displacements in a coordinate system of its own", card.line);
+  if (is_set(7))
+    out_.leave_out("GRID with supports of its own", card.line);
+}
+
 void bdf_reader::read_grid(const bdf_card& card) {
   if (!card.at(2).empty() && integer_of(card.at(2)) != 0)
     refuse_system(card);
   const auto node = number(card, 1, "the number");
+  check_behind_coordinates(card);
   out_.mesh.add_node(node, {real(card, 3, "a coordinate"), real(card, 4, "a coordinate"),
                             real(card, 5, "a coordinate")});
 }

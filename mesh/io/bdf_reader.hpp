@@ -60,6 +60,7 @@ private:
 
   void read_comment(std::string_view line);
   void read_case_control(std::string_view line);
+  void check_behind_coordinates(const bdf_card& card);
   void read_grid(const bdf_card& card);
   void read_tetra(const bdf_card& card);
   void read_triangle(const bdf_card& card);
@@ -84,6 +85,7 @@ private:
 
   void make_regions();
   void make_surfaces();
+  void say_what_is_not_there(const std::map<std::uint64_t, double>& asked);
   void take_loads();
   void take_pressures();
   [[nodiscard]] std::map<std::uint64_t, double> asked_loads() const;
@@ -92,6 +94,9 @@ private:
   line_cursor in_;
   deck_builder out_;
   bool in_bulk_ = false;
+  bool has_begin_ = false;
+  bool has_end_ = false;
+  std::vector<std::string> nothing_asked_;  ///< Sentences about sets that are not there.
   std::size_t subcases_ = 0;
   std::optional<std::uint64_t> asked_load_;
   std::optional<std::uint64_t> asked_spc_;

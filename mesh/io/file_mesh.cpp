@@ -12,8 +12,9 @@ namespace {
 constexpr std::array<std::array<int, 2>, 6> edges_of_tet{
   {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};
 
-[[noreturn]] void refuse(std::string message, std::string remedy) {
-  throw file_failure{{ec::bad_input, std::move(message), std::move(remedy), {}}};
+/// `place`: an element, for its line is long past; empty where it is the whole file.
+[[noreturn]] void refuse(std::string message, std::string remedy, std::string place = {}) {
+  throw file_failure{{ec::bad_input, std::move(message), std::move(remedy), std::move(place)}};
 }
 
 }  // namespace
@@ -52,7 +53,8 @@ const std::array<std::uint64_t, 4>* file_mesh::find_tet(std::uint64_t number) {
     for (std::size_t t = 0; t < tets.size(); ++t)
       if (!tet_by_number_.emplace(tet_numbers[t], t).second)
         refuse("element " + std::to_string(tet_numbers[t]) + " is listed twice",
-               "Number the elements anew, or remove one of the two");
+               "Number the elements anew, or remove one of the two",
+               "element " + std::to_string(tet_numbers[t]));
   const auto found = tet_by_number_.find(number);
   return found == tet_by_number_.end() ? nullptr : &tets[found->second];
 }
@@ -62,7 +64,8 @@ void file_mesh::index_nodes() {
   for (std::size_t i = 0; i < node_numbers.size(); ++i)
     if (!by_number_.emplace(node_numbers[i], static_cast<vertex_id>(i)).second)
       refuse("node " + std::to_string(node_numbers[i]) + " is listed twice",
-             "Number the nodes anew, or remove one of the two");
+             "Number the nodes anew, or remove one of the two",
+             "node " + std::to_string(node_numbers[i]));
 }
 
 std::optional<vertex_id> file_mesh::find_node(std::uint64_t number) {
@@ -80,7 +83,7 @@ void file_mesh::resolve_tets(read_mesh& out) {
       if (!node)
         refuse("tet " + std::to_string(tet_numbers[t]) + " names node " +
                  std::to_string(tets[t][i]) + ", which does not exist",
-               "Write the file with all of its nodes");
+               "Write the file with all of its nodes", "tet " + std::to_string(tet_numbers[t]));
       corners.v[i] = *node;
     }
     out.mesh.tets.push_back(corners);

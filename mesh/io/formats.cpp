@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "mesh/io/formats.hpp"
 
+#include "mesh/io/foreign_file.hpp"
+
 namespace tedit {
 
 namespace {
@@ -42,6 +44,7 @@ expected<void> write_as(std::string_view format, const file_target& to, const me
 }
 
 expected<read_mesh> read_any(std::span<const char> bytes) {
+  bytes = without_mark(bytes);
   for (std::size_t i = 0; i < functions.size(); ++i) {
     if (!functions[i].recognises || !functions[i].recognises(bytes))
       continue;
@@ -52,6 +55,8 @@ expected<read_mesh> read_any(std::span<const char> bytes) {
                 file_formats[i].keeps.tets ? "Choose a .msh file"
                                            : "Mesh its volume first, for example with Gmsh");
   }
+  if (auto foreign = foreign_file(bytes))
+    return fail(std::move(*foreign));
   return formats::msh::read(bytes);
 }
 

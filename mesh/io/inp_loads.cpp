@@ -71,6 +71,7 @@ void inp_reader::begin_step(const inp_keyword& key) {
 }
 
 void inp_reader::end_step(const inp_keyword& key) {
+  ++ended_steps_;
   skip(key);
 }
 
@@ -154,7 +155,7 @@ void inp_reader::read_dload(const inp_keyword& key) {
                                        real_or_zero(fields, 5, "the direction of gravity")};
     } else if (label.size() == 2 && label[0] == 'P' && label[1] >= '1' && label[1] <= '4') {
       face_loads_.push_back({plain_name(fields[0]), static_cast<std::size_t>(label[1] - '0'),
-                             real_or_zero(fields, 2, "a pressure")});
+                             real_or_zero(fields, 2, "a pressure"), in_.number()});
     } else {
       out_.leave_out("*DLOAD of type " + shown(label), in_.number());
     }
@@ -168,7 +169,8 @@ void inp_reader::read_dsload(const inp_keyword& key) {
     const auto fields = fields_of_line(in_.line());
     const auto label = fields.size() > 1 ? upper(fields[1]) : std::string();
     if (label == "P")
-      face_loads_.push_back({plain_name(fields[0]), 0, real_or_zero(fields, 2, "a pressure")});
+      face_loads_.push_back(
+        {plain_name(fields[0]), 0, real_or_zero(fields, 2, "a pressure"), in_.number()});
     else
       out_.leave_out("*DSLOAD of type " + shown(label), in_.number());
   }
@@ -238,25 +240,32 @@ void inp_reader::resolve_nodal(const nodal_line& one) {
                        {c == 0 ? one.value : 0, c == 1 ? one.value : 0, c == 2 ? one.value : 0});
 }
 
+std::vector<std::uint64_t> inp_reader::elements_under(const face_load& one) const {
+  if (const auto number = integer_of(one.on))
+    return {static_cast<std::uint64_t>(*number)};
+  if (const auto* set = element_sets_.find(one.on))
+    return set->numbers;
+  throw file_failure{{ec::bad_input,
+                      "a pressure acts on the set \"" + shown(one.on) + "\", which is not there",
+                      "Define that set", "line " + std::to_string(one.line)}};
+}
+
 void inp_reader::resolve_face(const face_load& one) {
   if (one.face == 0) {
     if (const auto at = surface_places_.find(upper(one.on)); at != surface_places_.end())
       for (const auto& face : out_.mesh.face_sets[at->second].faces)
         out_.add_pressure(face, one.value);
     else
-      out_.leave_out("*DSLOAD on \"" + shown(one.on) + "\", which is no surface", in_.number());
+      out_.leave_out("*DSLOAD on \"" + shown(one.on) + "\", which is no surface", one.line);
     return;
   }
-  std::vector<std::uint64_t> elements;
-  if (const auto number = integer_of(one.on))
-    elements.push_back(static_cast<std::uint64_t>(*number));
-  else if (const auto* set = element_sets_.find(one.on))
-    elements = set->numbers;
   const auto& sides = inp_faces_of_tet[one.face - 1];
-  for (const auto element : elements)
+  for (const auto element : elements_under(one))
     if (const auto* corners = out_.mesh.find_tet(element))
       out_.add_pressure({(*corners)[sides[0]], (*corners)[sides[1]], (*corners)[sides[2]]},
                         one.value);
+    else
+      out_.leave_out("*DLOAD on elements that are no tets", one.line);
 }
 
 void inp_reader::resolve_loads() {

@@ -128,9 +128,11 @@ void inp_reader::read_heading(const inp_keyword&) {
 }
 
 void inp_reader::refuse_include(const inp_keyword& key) {
-  in_.fail_here(ec::unsupported_format,
-                "the deck takes in another file by *INCLUDE (" + shown(key.value("INPUT")) + ")",
-                "Put its lines in the place of *INCLUDE: files are read one by one");
+  const auto word = "*" + key.name + (key.name == "INCLUDE" ? "" : ", INPUT");
+  in_.fail_here(
+    ec::unsupported_format,
+    "the deck takes in another file by " + word + " (" + shown(key.value("INPUT")) + ")",
+    "Put its lines in the place of " + word + ": files are read one by one");
 }
 
 void inp_reader::refuse_many(const inp_keyword& key) {
@@ -183,7 +185,10 @@ read_mesh inp_reader::run() {
   for (const auto* set : node_sets_.all())
     out_.mesh.node_sets.push_back({set->name, set->numbers});
   take_marked_case();
-  return out_.finish();
+  auto read = out_.finish();
+  if (steps_ > ended_steps_)
+    read.notices.push_back("a *STEP of the deck has no *END STEP: it may be cut off");
+  return read;
 }
 
 void inp_reader::read_nodes(const inp_keyword& key) {
@@ -196,6 +201,12 @@ void inp_reader::read_nodes(const inp_keyword& key) {
   while (next_data()) {
     const auto fields = fields_of_line(in_.line());
     const auto number = in_.positive(fields[0], "a node's number");
+    // Behind three coordinates Abaqus has the normals of shells; mostly it is a decimal comma.
+    if (fields.size() > 4)
+      in_.fail_here(ec::bad_input,
+                    "node " + std::to_string(number) + " has " + std::to_string(fields.size() - 1) +
+                      " coordinates, not 3",
+                    "Write decimals with a point, and leave out normals");
     vec3 at;
     at.x = real_or_zero(fields, 1, "a node's x");
     at.y = real_or_zero(fields, 2, "a node's y");
@@ -218,6 +229,8 @@ void inp_reader::read_elements(const inp_keyword& key) {
     refuse_include(key);
   if (kind.purpose == inp_element::use::skip)
     return skip(key);
+  if (type.empty())
+    in_.fail_here(ec::bad_input, "*ELEMENT does not say its TYPE", "Write *ELEMENT, TYPE=C3D4");
   if (kind.purpose == inp_element::use::refuse)
     in_.fail_here(ec::unsupported_format,
                   "the deck holds elements of type \"" + shown(type) +
@@ -277,13 +290,13 @@ void inp_reader::require_room(bool has_room) {
   if (!has_room)
     in_.fail_here(ec::bad_input,
                   "a set has more members than such a file can have nodes or elements",
-                  "Check first, last and step of GENERATE");
+                  "Check first, last and step of GENERATE, and sets that hold each other");
 }
 
 void inp_reader::add_member(number_sets_of_deck& sets, number_sets_of_deck::entry& to,
                             std::string_view field) {
-  if (const auto number = integer_of(field))
-    return require_room(*number > 0 && sets.add(to, static_cast<std::uint64_t>(*number)));
+  if (integer_of(field))
+    return require_room(sets.add(to, in_.positive(field, "a number of a set")));
   const auto* other = sets.find(plain_name(field));
   if (!other)
     in_.fail_here(ec::bad_input,
@@ -295,6 +308,9 @@ void inp_reader::add_member(number_sets_of_deck& sets, number_sets_of_deck::entr
 
 void inp_reader::read_set(const inp_keyword& key, number_sets_of_deck& sets,
                           const std::string& name) {
+  if (name.empty())
+    in_.fail_here(ec::bad_input, "*" + key.name + " does not say the name of its set",
+                  "Write *" + key.name + ", " + key.name + "=NAME");
   auto& set = sets.set(name);
   while (next_data()) {
     const auto fields = fields_of_line(in_.line());
@@ -307,6 +323,11 @@ void inp_reader::read_set(const inp_keyword& key, number_sets_of_deck& sets,
     const auto last =
       fields.size() > 1 ? in_.positive(fields[1], "the last number of GENERATE") : first;
     const auto step = fields.size() > 2 ? in_.positive(fields[2], "the step of GENERATE") : 1;
+    if (last < first)
+      in_.fail_here(
+        ec::bad_input,
+        "GENERATE goes back, from " + std::to_string(first) + " to " + std::to_string(last),
+        "Write: first, last, step");
     require_room(sets.add_range(set, first, last, step));
   }
 }
@@ -344,9 +365,10 @@ void inp_reader::read_surface(const inp_keyword& key) {
   }
 }
 
-void inp_reader::add_faces(std::size_t set, std::uint64_t element, std::size_t face,
+void inp_reader::add_faces(std::size_t set, std::int64_t element, std::size_t face,
                            std::size_t line) {
-  const auto* corners = out_.mesh.find_tet(element);
+  const auto* corners =
+    element > 0 ? out_.mesh.find_tet(static_cast<std::uint64_t>(element)) : nullptr;
   if (!corners)
     throw file_failure{{ec::bad_input,
                         "surface \"" + shown(out_.mesh.face_sets[set].name) + "\" names element " +
@@ -366,10 +388,10 @@ void inp_reader::resolve_surfaces() {
     if (one.face == 0)
       continue;
     if (const auto number = integer_of(one.elements)) {
-      add_faces(one.surface, static_cast<std::uint64_t>(*number), one.face, one.line);
+      add_faces(one.surface, *number, one.face, one.line);
     } else if (const auto* set = element_sets_.find(one.elements)) {
       for (const auto element : set->numbers)
-        add_faces(one.surface, element, one.face, one.line);
+        add_faces(one.surface, static_cast<std::int64_t>(element), one.face, one.line);
     } else {
       throw file_failure{{ec::bad_input,
                           "surface \"" + shown(out_.mesh.face_sets[one.surface].name) +

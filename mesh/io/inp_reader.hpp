@@ -39,6 +39,7 @@ private:
     std::string on;
     std::size_t face;  ///< 1 to 4; 0: `on` is a surface.
     double value;
+    std::size_t line;
   };
   struct nodal_line {
     std::string on;  ///< A set or a number.
@@ -102,7 +103,8 @@ private:
   void resolve_loads();
   void resolve_nodal(const nodal_line& one);
   void resolve_face(const face_load& one);
-  void add_faces(std::size_t set, std::uint64_t element, std::size_t face, std::size_t line);
+  [[nodiscard]] std::vector<std::uint64_t> elements_under(const face_load& one) const;
+  void add_faces(std::size_t set, std::int64_t element, std::size_t face, std::size_t line);
   void take_marked_case();
 
   line_cursor in_;
@@ -120,6 +122,7 @@ private:
   std::size_t parts_ = 0;
   std::size_t instances_ = 0;
   std::size_t steps_ = 0;
+  std::size_t ended_steps_ = 0;
   bool reads_density_ = false;
 };
 

@@ -26,6 +26,8 @@ bool line_cursor::next() {
 }
 
 void line_cursor::fail_here(ec code, std::string message, std::string remedy) const {
+  if (remedy.empty())
+    remedy = "Correct the line or write the file again";
   throw file_failure{
     {code, std::move(message), std::move(remedy), "line " + std::to_string(number_)}};
 }

@@ -54,6 +54,14 @@ void msh_cursor::skip_line_end() {
   (void)rest_of_line();
 }
 
+void msh_cursor::fail_number(std::string_view word, const std::string& what,
+                             const char* kind) const {
+  if (word.starts_with('$'))
+    fail_here(ec::bad_input, plain(word) + " stands where " + what +
+                               " should be: the section's counts and its content disagree");
+  fail_here(ec::bad_input, what + " is \"" + plain(word) + "\", which is not " + kind);
+}
+
 template <class T>
 T msh_cursor::parse(std::string_view word, const char* what) const {
   T value{};
@@ -61,7 +69,7 @@ T msh_cursor::parse(std::string_view word, const char* what) const {
   if (code == std::errc::result_out_of_range)
     fail_here(ec::bad_input, std::string(what) + " " + plain(word) + " is out of range");
   if (code != std::errc{} || end != word.data() + word.size())
-    fail_here(ec::bad_input, std::string(what) + " \"" + plain(word) + "\" is not a whole number");
+    fail_number(word, what, std::is_signed_v<T> ? "a whole number" : "a whole number from 0 on");
   return value;
 }
 
@@ -108,7 +116,7 @@ double msh_cursor::real(const std::string& what) {
   if (code == std::errc::result_out_of_range && whole && word.find("e-") != word.npos)
     return 0;
   if (code != std::errc{} || !whole || !std::isfinite(value))
-    fail_here(ec::bad_input, what + " is \"" + plain(word) + "\", which is not a finite number");
+    fail_number(word, what, "a finite number");
   return value;
 }
 
@@ -134,6 +142,8 @@ void msh_cursor::fail_here(ec code, std::string message, std::string remedy) con
   const auto done = text().substr(0, offset_);
   const auto place = binary ? "byte offset " + std::to_string(offset_)
                             : "line " + std::to_string(1 + std::ranges::count(done, '\n'));
+  if (remedy.empty())
+    remedy = "The file is damaged, or was written wrongly: write it again";
   throw msh_failure{
     {code, std::move(message), std::move(remedy), place + " (section " + section + ")"}};
 }

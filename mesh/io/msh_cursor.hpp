@@ -68,6 +68,9 @@ public:
   [[noreturn]] void fail_truncated() const;
 
 private:
+  [[noreturn]] void fail_number(std::string_view word, const std::string& what,
+                                const char* kind) const;
+
   template <class T>
   T raw() {
     if (left() < sizeof(T))

@@ -3,12 +3,12 @@
 #include <map>
 #include <optional>
 #include <set>
-#include <unordered_map>
 
 #include "mesh/formats.hpp"
 #include "mesh/io/edge_nodes.hpp"
 #include "mesh/io/msh_cursor.hpp"
 #include "mesh/io/msh_elements.hpp"
+#include "mesh/io/node_index.hpp"
 #include "mesh/io/read_mesh.hpp"
 
 namespace tedit {
@@ -20,7 +20,7 @@ public:
   explicit msh_reader(std::span<const char> bytes) : in_(bytes) {}
 
   read_mesh run() {
-    detect_other_formats();
+    require_first_section();
     read_header();
     while (read_section()) {
       // Each call reads one section.
@@ -28,12 +28,16 @@ public:
     if (node_numbers_.empty())
       in_.fail_here(ec::bad_input, "the file holds no nodes", "Write the mesh again");
     if (tets_.empty())
-      in_.fail_here(ec::bad_input, "the mesh has no volume elements (tets)",
-                    "Mesh the volume in Gmsh (3D) and save all elements");
+      in_.fail_here(ec::bad_input,
+                    has_elements_ ? "the mesh has no volume elements (tets)"
+                                  : "the file has no section $Elements",
+                    has_elements_ ? "Mesh the volume in Gmsh (3D) and save all elements"
+                                  : "It is cut off, or was saved without its mesh: write it again");
     if (quads_ > 0)
       in_.fail_here(ec::unsupported_format,
                     "the mesh holds " + std::to_string(quads_) +
-                      " quadrangles; only triangles and tetrahedra are supported");
+                      " quadrangles; only triangles and tetrahedra are supported",
+                    "Mesh surfaces with triangles");
     resolve();
     return std::move(out_);
   }
@@ -41,31 +45,27 @@ public:
 private:
   // -- frame -------------------------------------------------------------------------
 
-  void detect_other_formats() {
-    const auto text = in_.text();
-    const auto refuse = [&](const char* what, const char* remedy) {
-      in_.fail_here(ec::unsupported_format, std::string("this is ") + what + ", not a Gmsh mesh",
-                    remedy);
-    };
-    if (text.empty())
-      in_.fail_here(ec::bad_input, "the file is empty");
-    if (text.starts_with("\x89PNG"))
-      refuse("a PNG picture", "Choose a .msh file");
-    if (text.starts_with("ISO-10303-21"))
-      refuse("a STEP file (CAD geometry)",
-             "Mesh it first: gmsh part.step -3 -format msh41 -o part.msh");
-    const auto first = text.substr(0, 4096).find_first_not_of(" \t\r\n");
-    if (first == text.npos || !text.substr(first).starts_with("$"))
-      refuse("no text that starts with $MeshFormat", "Choose a .msh file of version 2.2 or 4.1");
+  void require_first_section() {
+    const auto head = in_.text().substr(0, 4096);
+    const auto first = head.find_first_not_of(" \t\r\n");
+    if (first == head.npos || head[first] != '$')
+      in_.fail_here(
+        ec::unsupported_format,
+        "the file is of no format that is read: it does not begin with $MeshFormat, nor "
+        "as a VTU, Abaqus, Nastran or UNV file does",
+        "Choose a .msh (2.2 or 4.1), .vtu, .inp, .bdf or .unv file");
   }
 
   void read_header() {
     const auto name = in_.token();
     if (name != "$MeshFormat")
       in_.fail_here(ec::bad_input,
-                    "the file starts with " + plain(name) + " instead of $MeshFormat");
+                    "the file starts with " + plain(name) + " instead of $MeshFormat",
+                    "Save the mesh as MSH 4.1 or 2.2");
     in_.section = "$MeshFormat";
     const auto version = std::string(in_.token());
+    if (version.empty())
+      in_.fail_truncated();
     if (version != "2.2" && version != "2" && version != "4.1")
       in_.fail_here(ec::unsupported_format, "MSH version " + plain(version) + " is not supported",
                     "Save the mesh as MSH 4.1 or 2.2");
@@ -76,7 +76,8 @@ private:
       in_.fail_here(ec::bad_input, "the file type must be 0 (ASCII) or 1 (binary)");
     if (type == 1 && data_size != 8)
       in_.fail_here(ec::unsupported_format,
-                    "binary files need 8-byte numbers, this one says " + std::to_string(data_size));
+                    "binary files need 8-byte numbers, this one says " + std::to_string(data_size),
+                    "Write it on a 64-bit machine, or as text");
     in_.skip_line_end();
     if (type == 1)
       read_byte_order();
@@ -118,6 +119,7 @@ private:
       in_.skip_line_end();
       four_ ? read_nodes_41() : read_nodes_22();
     } else if (name == "$Elements") {
+      has_elements_ = true;
       in_.skip_line_end();
       four_ ? read_elements_41() : read_elements_22();
     } else {
@@ -142,7 +144,7 @@ private:
   void read_physical_names() {
     // Text in binary files, too.
     const bool binary = std::exchange(in_.binary, false);
-    const auto count = in_.size("number of physical names");
+    const auto count = in_.size("the number of physical names");
     in_.check_count(count, 5, "physical names");
     for (std::uint64_t i = 0; i < count; ++i) {
       const auto dimension = in_.integer("dimension");
@@ -209,7 +211,7 @@ private:
 
   void read_nodes_22() {
     const bool binary = std::exchange(in_.binary, false);
-    const auto count = in_.size("number of nodes");
+    const auto count = in_.size("the number of nodes");
     if (binary)
       in_.skip_line_end();
     in_.binary = binary;
@@ -232,7 +234,7 @@ private:
 
   void read_nodes_41() {
     const auto blocks = in_.size("number of node blocks");
-    const auto total = in_.size("number of nodes");
+    const auto total = in_.size("the number of nodes");
     (void)in_.size("smallest node number");
     (void)in_.size("largest node number");
     in_.check_count(blocks, in_.binary ? 20 : 8, "node blocks");
@@ -277,7 +279,8 @@ private:
                         "Mesh the volume with tetrahedra");
         return kind;
       }
-    in_.fail_here(ec::unsupported_format, "unknown element type " + std::to_string(type));
+    in_.fail_here(ec::unsupported_format, "unknown element type " + std::to_string(type),
+                  "Mesh the volume with tetrahedra");
   }
 
   void add_element(const element_kind& kind, std::uint64_t number, std::int64_t entity, bool tagged,
@@ -298,7 +301,7 @@ private:
 
   void read_elements_41() {
     const auto blocks = in_.size("number of element blocks");
-    const auto total = in_.size("number of elements");
+    const auto total = in_.size("the number of elements");
     (void)in_.size("smallest element number");
     (void)in_.size("largest element number");
     in_.check_count(blocks, in_.binary ? 20 : 8, "element blocks");
@@ -312,10 +315,10 @@ private:
       in_.check_count(count, (in_.binary ? 8 : 2) * (static_cast<std::size_t>(kind.nodes) + 1),
                       "elements in a block");
       for (std::uint64_t i = 0; i < count; ++i) {
-        const auto number = in_.size("element number");
+        const auto number = in_.size("the number of an element");
         element_nodes nodes{};
         for (std::size_t n = 0; n < static_cast<std::size_t>(kind.nodes); ++n) {
-          const auto node = in_.size("node of an element");
+          const auto node = in_.size("a node of an element");
           if (n < nodes.size())
             nodes[n] = node;
         }
@@ -330,7 +333,7 @@ private:
 
   void read_elements_22() {
     const bool binary = std::exchange(in_.binary, false);
-    const auto total = in_.size("number of elements");
+    const auto total = in_.size("the number of elements");
     in_.skip_line_end();
     in_.binary = binary;
     in_.check_count(total, binary ? 8 : 6, "elements");
@@ -393,15 +396,18 @@ private:
   // -- from file numbers to indices ---------------------------------------------------------
 
   void resolve() {
-    index_nodes();
+    if (const auto twice = index_.make(node_numbers_))
+      fail_at("$Nodes", "node " + std::to_string(*twice),
+              "node " + std::to_string(*twice) + " is listed twice",
+              "Number the nodes anew, or remove one of the two");
     const auto index_of = [&](std::uint64_t node, const auto& element) {
-      const auto index = find_node(node);
+      const auto index = index_.find(node);
       if (!index)
-        in_.fail_here(ec::bad_input,
-                      element() + " names node " + std::to_string(node) + ", which does not exist");
+        fail_at("$Elements", element(),
+                element() + " names node " + std::to_string(node) + ", which does not exist",
+                "Save the mesh with all of its nodes");
       return *index;
     };
-    in_.section = "$Elements";
     for (std::size_t t = 0; t < tets_.size(); ++t) {
       const auto name = [&] { return "tet " + std::to_string(out_.mesh.tet_numbers[t]); };
       tet corners;
@@ -410,7 +416,9 @@ private:
       out_.mesh.tets.push_back(corners);
     }
     for (const auto& triangle : triangles_) {
-      const auto name = [] { return std::string("a triangle"); };
+      const auto name = [&] {
+        return "triangle " + std::to_string(&triangle - triangles_.data() + 1) + " of the file";
+      };
       raw_mesh::triangle resolved{{}, triangle.entity, triangle.tagged};
       for (int i = 0; i < 3; ++i)
         resolved.v[i] = index_of(triangle.nodes[i], name);
@@ -418,37 +426,17 @@ private:
     }
     add_names();
     if (edge_nodes_.tets() > 0)
-      out_.notices.push_back(edge_nodes_.describe(
-        out_.mesh.tets, out_.mesh.positions, [&](std::uint64_t node) { return find_node(node); }));
+      out_.notices.push_back(
+        edge_nodes_.describe(out_.mesh.tets, out_.mesh.positions,
+                             [&](std::uint64_t node) { return index_.find(node); }));
     out_.mesh.node_numbers = std::move(node_numbers_);
   }
 
-  void index_nodes() {
-    largest_ = *std::ranges::max_element(node_numbers_);
-    const bool dense = largest_ / 4 <= node_numbers_.size();
-    if (dense)
-      by_number_.assign(largest_ + 1, no_id);
-    else
-      sparse_.reserve(node_numbers_.size());
-    for (std::size_t i = 0; i < node_numbers_.size(); ++i) {
-      const auto number = node_numbers_[i];
-      const bool fresh = dense ? by_number_[number] == no_id
-                               : sparse_.emplace(number, static_cast<vertex_id>(i)).second;
-      if (!fresh)
-        in_.fail_here(ec::bad_input, "node " + std::to_string(number) + " is listed twice");
-      if (dense)
-        by_number_[number] = static_cast<vertex_id>(i);
-    }
-  }
-
-  [[nodiscard]] std::optional<vertex_id> find_node(std::uint64_t number) const {
-    if (!by_number_.empty()) {
-      if (number >= by_number_.size() || by_number_[number] == no_id)
-        return std::nullopt;
-      return by_number_[number];
-    }
-    const auto found = sparse_.find(number);
-    return found == sparse_.end() ? std::nullopt : std::optional(found->second);
+  /// About what was read long before: the cursor's place would lie.
+  [[noreturn]] static void fail_at(const char* section, const std::string& place,
+                                   std::string message, const char* remedy) {
+    throw msh_failure{{ec::bad_input, std::move(message), remedy,
+                       std::string("section ") + section + ", " + place}};
   }
 
   void add_names() {
@@ -475,10 +463,9 @@ private:
   std::vector<std::uint64_t> node_numbers_;
   std::vector<std::array<std::uint64_t, 4>> tets_;
   std::vector<raw_triangle> triangles_;
-  std::uint64_t largest_ = 0;
-  std::vector<vertex_id> by_number_;
-  std::unordered_map<std::uint64_t, vertex_id> sparse_;
+  node_index index_;
   edge_nodes edge_nodes_;
+  bool has_elements_ = false;
   std::size_t quads_ = 0;  ///< Refused at the end: a hexahedron says more.
 };
 

@@ -66,7 +66,7 @@ corners resolve(file_mesh& file, const std::array<std::uint64_t, 3>& face,
                           "a face of \"" + shown(name) + "\" names node " +
                             std::to_string(face[i]) + ", which does not exist",
                           "Write the file with all of its nodes",
-                          {}}};
+                          "surface \"" + shown(name) + "\""}};
     result[i] = *node;
   }
   return result;

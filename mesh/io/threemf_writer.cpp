@@ -48,8 +48,11 @@ zipped_file packed(std::string name, std::string_view text) {
 namespace formats {
 
 bool threemf::recognises(std::span<const char> bytes) {
-  // Any archive: no mesh that is read is one.
-  return std::string_view(bytes.data(), bytes.size()).starts_with("PK\x03\x04");
+  // The names of an archive's files stand at its end.
+  constexpr std::size_t directory = std::size_t{64} << 10;
+  const std::string_view text(bytes.data(), bytes.size());
+  return text.starts_with("PK\x03\x04") &&
+         text.substr(text.size() - std::min(text.size(), directory)).find(".model") != text.npos;
 }
 
 expected<void> threemf::write(const file_target& to, const mesh_version& mesh,

@@ -56,13 +56,13 @@ bool is_beam(std::int64_t descriptor) {
 }
 
 /// Whole numbers of one line, by blanks; some writers let ten-character fields touch.
-std::vector<std::int64_t> numbers_of(const line_cursor& in) {
+std::vector<std::int64_t> numbers_of(const line_cursor& in, const char* what) {
   std::vector<std::int64_t> result;
   auto text = in.line();
   while (!trimmed(text).empty()) {
     text.remove_prefix(text.find_first_not_of(" \t"));
     const auto word = text.substr(0, text.find_first_of(" \t"));
-    result.push_back(in.integer(word, "a field"));
+    result.push_back(in.integer(word, what));
     text.remove_prefix(word.size());
   }
   return result;
@@ -74,7 +74,7 @@ struct unv_triangle {
 };
 
 struct unv_group {
-  std::int64_t number;
+  std::size_t line = 0;  ///< Where it begins.
   std::string name;
   std::vector<std::pair<std::int64_t, std::uint64_t>> members;  ///< Type (7 node, 8 element), id.
 };
@@ -85,8 +85,13 @@ public:
 
   read_mesh run() {
     while (in_.next()) {
-      if (trimmed(in_.line()) != "-1")
+      if (trimmed(in_.line()).empty())
         continue;
+      if (trimmed(in_.line()) != "-1")
+        in_.fail_here(ec::bad_input,
+                      "a dataset should begin here with a line -1, but \"" + shown(in_.line()) +
+                        "\" follows the one of line " + std::to_string(set_begin_),
+                      "A line is lost or too much: write the file again");
       require_line("a dataset's number");
       const auto dataset = in_.integer(in_.line(), "a dataset's number");
       set_begin_ = in_.number();
@@ -162,7 +167,8 @@ private:
         out_.length_unit = unit;
     if (out_.length_unit.empty())
       in_.fail_here(ec::unsupported_format,
-                    "the factor of lengths is " + shown(word) + ", that of no unit that is known",
+                    "the factor of lengths is " + shown(word.substr(0, word.find(' '))) +
+                      ", that of no unit that is known",
                     "Write the mesh in m, cm, mm, um, nm, in or ft");
     while (next_record()) {
       // Temperatures.
@@ -171,7 +177,7 @@ private:
 
   void read_nodes() {
     while (next_record()) {
-      const auto head = numbers_of(in_);
+      const auto head = numbers_of(in_, "a number of a node's first record");
       if (head.empty() || head[0] < 1)
         in_.fail_here(ec::bad_input, "a node's first record needs its number, from 1",
                       "Write the file again");
@@ -190,16 +196,25 @@ private:
       value = in_.real(word, "a node's coordinate");
       text.remove_prefix(word.size());
     }
+    if (!trimmed(text).empty())
+      in_.fail_here(ec::bad_input, "a node has more than three coordinates",
+                    "Write decimals with a point");
     return {values[0], values[1], values[2]};
   }
 
   void read_elements() {
     while (next_record()) {
-      const auto head = numbers_of(in_);
-      if (head.size() < 6 || head[0] < 1 || head[5] < 0 || head[5] > 1000)
+      const auto head = numbers_of(in_, "a number of an element's first record");
+      if (head.size() < 6)
         in_.fail_here(ec::bad_input,
                       "an element's first record has six numbers: its own, descriptor, property, "
                       "material, colour and how many nodes",
+                      "Write the file again");
+      if (head[0] < 1 || head[5] < 0 || head[5] > 1000)
+        in_.fail_here(ec::bad_input,
+                      "element " + std::to_string(head[0]) + " says that it has " +
+                        std::to_string(head[5]) +
+                        " nodes: numbers start at 1, nodes are up to 1000",
                       "Write the file again");
       if (is_beam(head[1]))
         require_line("a beam's orientation");
@@ -211,7 +226,7 @@ private:
     std::vector<std::uint64_t> nodes;
     while (nodes.size() < count) {
       require_line("an element's nodes");
-      for (const auto node : numbers_of(in_)) {
+      for (const auto node : numbers_of(in_, "a node of an element")) {
         if (node < 1)
           in_.fail_here(ec::bad_input, "an element names node " + std::to_string(node),
                         "Write the file again");
@@ -248,7 +263,10 @@ private:
     } else {
       // Corners and middles in turn around a parabolic triangle.
       const std::size_t step = quadratic ? 2 : 1;
-      triangles_[number] = {head[2], {nodes[0], nodes[step], nodes[2 * step]}};
+      const unv_triangle made{head[2], {nodes[0], nodes[step], nodes[2 * step]}};
+      if (!triangles_.emplace(number, made).second)
+        in_.fail_here(ec::bad_input, "element " + std::to_string(number) + " is listed twice",
+                      "Number the elements anew, or remove one of the two");
     }
   }
 
@@ -271,12 +289,13 @@ private:
     const bool pairs_of_two = dataset == 2417 || dataset == 2429 || dataset == 2430 ||
                               dataset == 2432;  // Older: no third and fourth number.
     while (next_record()) {
-      const auto head = numbers_of(in_);
+      const auto head = numbers_of(in_, "a number of a group's first record");
       const std::size_t at = 7;
       if (head.size() <= at || head[at] < 0)
-        in_.fail_here(ec::bad_input, "a group's first record has eight numbers",
+        in_.fail_here(ec::bad_input,
+                      "a group's first record has eight numbers, the last says how many members",
                       "Write the file again");
-      unv_group group{head[0], {}, {}};
+      unv_group group{in_.number(), {}, {}};
       require_line("a group's name");
       group.name = std::string(trimmed(in_.line()));
       read_members(group, static_cast<std::uint64_t>(head[at]), pairs_of_two ? 2 : 4);
@@ -287,7 +306,7 @@ private:
   void read_members(unv_group& group, std::uint64_t count, std::size_t width) {
     for (std::uint64_t done = 0; done < count;) {
       require_line("a group's members");
-      const auto numbers = numbers_of(in_);
+      const auto numbers = numbers_of(in_, "a number of a group's members");
       if (numbers.empty() || numbers.size() % width != 0)
         in_.fail_here(ec::bad_input,
                       "group \"" + shown(group.name) + "\" says " + std::to_string(count) +
@@ -308,6 +327,7 @@ private:
       file_mesh::face_set faces{group.name, {}, {}};
       file_mesh::node_set nodes{group.name, {}};
       std::vector<std::uint64_t> tets;
+      std::size_t others = 0;
       for (const auto& [type, id] : group.members)
         if (type == 7) {
           nodes.nodes.push_back(id);
@@ -316,7 +336,13 @@ private:
           grouped_.push_back(id);
         } else if (out_.mesh.find_tet(id)) {
           tets.push_back(id);
+        } else {
+          ++others;
         }
+      if (others > 0)
+        out_.leave_out(
+          "members of group \"" + shown(group.name) + "\" that are no tets or triangles",
+          group.line);
       if (!faces.faces.empty())
         add_surface(group, std::move(faces));
       if (!nodes.nodes.empty())

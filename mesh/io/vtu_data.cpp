@@ -25,9 +25,9 @@ int digit64(char c) {
   return c == '+' ? 62 : c == '/' ? 63 : -1;
 }
 
-/// Up to the first character that is none of base64, or until there are `most` bytes. Several
-/// pieces may follow each other, each with its padding: header and data are coded apart.
-std::string from_base64(std::string_view text, std::uint64_t most) {
+/// Until there are `most` bytes. Several pieces may follow each other, each with its padding:
+/// header and data are coded apart. `text` holds nothing else, but appended data end with a tag.
+std::string from_base64(std::string_view text, std::uint64_t most, const std::string& name) {
   std::string result;
   std::uint32_t bits = 0;
   int digits = 0;
@@ -38,8 +38,10 @@ std::string from_base64(std::string_view text, std::uint64_t most) {
     if (c == ' ' || c == '\n' || c == '\r' || c == '\t')
       continue;
     const int value = c == '=' ? 0 : digit64(c);
-    if (value < 0)
+    if (c == '<')
       break;
+    if (value < 0)
+      fail_array(name, "holds \"" + shown({&c, 1}) + "\", which is no letter of base64");
     padding += c == '=';
     bits = bits << 6 | static_cast<std::uint32_t>(value);
     if (++digits < 4)
@@ -115,11 +117,11 @@ Number number_at(const char* at, const number_type& type, bool swapped) {
   }
 }
 
-/// Numbers between blanks.
+/// Numbers between blanks; one more than `most` at most.
 template <class Number>
 std::vector<Number> from_text(std::string_view text, std::uint64_t most, const std::string& name) {
   std::vector<Number> result;
-  while (result.size() < most) {
+  while (result.size() <= most) {
     const auto first = text.find_first_not_of(" \t\r\n");
     if (first == text.npos)
       return result;
@@ -175,11 +177,18 @@ std::string vtu_data::inflated(std::string_view stored, std::uint64_t most,
   for (std::size_t b = 0; b < blocks; ++b) {
     const auto packed = header(stored, 3 + b, name);
     const auto size = b + 1 == blocks && last != 0 ? last : block;
+    if (at > stored.size() || packed > stored.size() - at)
+      fail_array(name, "has a block of " + std::to_string(packed) + " packed bytes, but " +
+                         std::to_string(stored.size() - std::min(at, stored.size())) + " are left");
     // Nothing that zlib packs becomes a thousandth of itself.
-    if (at > stored.size() || packed > stored.size() - at || size / 1040 > packed ||
-        size > most - result.size())
-      fail_array(name, "has a block of " + std::to_string(size) + " bytes in " +
-                         std::to_string(packed) + ", more than there can be");
+    if (size / 1040 > packed)
+      fail_array(name, "has a block of " + std::to_string(packed) +
+                         " packed bytes that should be " + std::to_string(size) +
+                         ", more than zlib can pack so small");
+    if (size > most - result.size())
+      fail_array(name, "has " + std::to_string(result.size()) + " bytes and a block of " +
+                         std::to_string(size) + " more, where " + std::to_string(most) +
+                         " should be");
     const auto begin = result.size();
     result.resize(begin + size);
     uLongf made = size;
@@ -201,7 +210,10 @@ std::string vtu_data::stored_bytes(std::string_view from, std::uint64_t most,
   if (size > from.size() - word)
     fail_array(name, "says " + std::to_string(size) + " bytes, but " +
                        std::to_string(from.size() - word) + " are left");
-  return std::string(from.substr(word, std::min(size, most)));
+  if (size > most)
+    fail_array(
+      name, "has " + std::to_string(size) + " bytes where " + std::to_string(most) + " should be");
+  return std::string(from.substr(word, size));
 }
 
 std::string vtu_data::bytes_of(const pugi::xml_node& array, std::uint64_t most) const {
@@ -210,15 +222,20 @@ std::string vtu_data::bytes_of(const pugi::xml_node& array, std::uint64_t most) 
   // What is packed may be a little larger than what it holds.
   const auto most_stored = most + most / 8 + (1 << 16);
   if (format == "binary")
-    return stored_bytes(from_base64(array.text().as_string(), most_stored), most, name);
+    return stored_bytes(from_base64(array.text().as_string(), most_stored, name), most, name);
   if (format != "appended")
     fail_array(name, "has the format \"" + shown(format) + "\", which is not known");
-  const auto offset = array.attribute("offset").as_ullong(UINT64_MAX);
-  if (offset >= encoding_.appended.size())
-    fail_array(name, "begins behind the end of the appended data");
-  const auto rest = encoding_.appended.substr(offset);
-  return encoding_.appended_is_base64 ? stored_bytes(from_base64(rest, most_stored), most, name)
-                                      : stored_bytes(rest, most, name);
+  const std::string offset = array.attribute("offset").as_string();
+  const auto at = integer_of(offset);
+  if (!at || *at < 0)
+    fail_array(name, "has the offset \"" + shown(offset) + "\", which is no place in the file");
+  if (static_cast<std::uint64_t>(*at) >= encoding_.appended.size())
+    fail_array(name, "begins at the byte " + offset + " of the appended data, which have " +
+                       std::to_string(encoding_.appended.size()));
+  const auto rest = encoding_.appended.substr(static_cast<std::size_t>(*at));
+  return encoding_.appended_is_base64
+           ? stored_bytes(from_base64(rest, most_stored, name), most, name)
+           : stored_bytes(rest, most, name);
 }
 
 template <class Number>
@@ -227,6 +244,8 @@ std::vector<Number> vtu_data::numbers(const pugi::xml_node& array, std::uint64_t
   std::vector<Number> result;
   if (is_text(array)) {
     result = from_text<Number>(array.text().as_string(), count, name);
+    if (result.size() > count)
+      fail_array(name, "has more than the " + std::to_string(count) + " numbers that should be");
   } else {
     const auto& type = type_of(array, name);
     const auto bytes =

@@ -26,7 +26,7 @@ class vtu_data {
 public:
   explicit vtu_data(vtu_encoding encoding) : encoding_(encoding) {}
 
-  /// `count` numbers of an array of any numeric type.
+  /// `count` numbers of an array of any numeric type: neither fewer nor more.
   [[nodiscard]] std::vector<double> reals(const pugi::xml_node& array, std::uint64_t count) const;
   /// The same, whole numbers.
   [[nodiscard]] std::vector<std::int64_t> integers(const pugi::xml_node& array,

@@ -63,11 +63,15 @@ public:
     parse();
     const vtu_data data(encoding());
     const auto pieces = file_.child("UnstructuredGrid").children("Piece");
+    if (pieces.begin() == pieces.end())
+      refuse_vtu(ec::bad_input, "the file holds no piece of a grid", "Write the mesh again",
+                 "UnstructuredGrid");
     if (std::distance(pieces.begin(), pieces.end()) != 1)
       refuse_vtu(ec::unsupported_format,
                  "the file holds " + std::to_string(std::distance(pieces.begin(), pieces.end())) +
                    " pieces; one is read",
-                 "Write it as one piece, for example with ParaView's filter Clean to Grid");
+                 "Write it as one piece, for example with ParaView's filter Clean to Grid",
+                 place_of(*std::next(pieces.begin())));
     const auto piece = *pieces.begin();
     read_points(piece, data);
     read_cells(piece, data);
@@ -131,7 +135,11 @@ private:
         refuse_vtu(ec::bad_input, "the appended data do not begin with _",
                    "The file is cut off or damaged: write it again",
                    "byte offset " + std::to_string(at));
-      is_base64_ = text_.substr(at, end - at).find("base64") != text_.npos;
+      const auto tag = text_.substr(at, end - at);
+      is_base64_ = tag.find("\"base64\"") != tag.npos;
+      if (!is_base64_ && tag.find("\"raw\"") == tag.npos)
+        refuse_vtu(ec::unsupported_format, "the appended data are neither raw nor in base64",
+                   "Write them as one of these", "byte offset " + std::to_string(at));
       appended_ = text_.substr(mark + 1);
       head = std::string(text_.substr(0, at)) + "</VTKFile>";
     }
@@ -143,7 +151,7 @@ private:
     if (const std::string type = file_.attribute("type").as_string(); type != "UnstructuredGrid")
       refuse_vtu(ec::unsupported_format,
                  "this is a VTK file of type \"" + shown(type) + "\", not UnstructuredGrid",
-                 "Write the volume mesh as an unstructured grid (.vtu)");
+                 "Write the volume mesh as an unstructured grid (.vtu)", place_of(file_));
   }
 
   vtu_encoding encoding() const {
@@ -153,17 +161,34 @@ private:
     if (!compressor.empty() && compressor != "vtkZLibDataCompressor")
       refuse_vtu(ec::unsupported_format,
                  "the file is packed by " + shown(compressor) + "; zlib is read",
-                 "Write it without compression, or with zlib");
+                 "Write it without compression, or with zlib", place_of(file_));
+    check_word("header_type", header, {"UInt32", "UInt64"});
+    check_word("byte_order", order, {"LittleEndian", "BigEndian"});
     return {header == "UInt64", order == "BigEndian", !compressor.empty(), appended_, is_base64_};
   }
 
-  static std::uint64_t count_of(const pugi::xml_node& piece, const char* attribute) {
-    const auto count = piece.attribute(attribute).as_ullong(0);
-    if (count > max_slots)
+  void check_word(const char* attribute, const std::string& word,
+                  const std::array<const char*, 2>& known) const {
+    if (word != known[0] && word != known[1])
+      refuse_vtu(
+        ec::unsupported_format,
+        std::string(attribute) + " is \"" + shown(word) + "\", not " + known[0] + " or " + known[1],
+        "The file is damaged: write it again", place_of(file_));
+  }
+
+  static std::string place_of(const pugi::xml_node& node) {
+    return "byte offset " + std::to_string(std::max<std::ptrdiff_t>(0, node.offset_debug()));
+  }
+
+  static std::uint64_t count_of(const pugi::xml_node& node, const char* attribute) {
+    const std::string word = node.attribute(attribute).as_string();
+    const auto count = integer_of(word);
+    if (!count || *count < 0 || *count > std::int64_t{max_slots})
       refuse_vtu(ec::bad_input,
-                 std::string(attribute) + " is " + std::to_string(count) + ", too many",
-                 "The file is damaged: write it again");
-    return count;
+                 std::string(attribute) + " is \"" + shown(word) +
+                   "\", not a whole number from 0 to " + std::to_string(max_slots),
+                 "The file is damaged: write it again", place_of(node));
+    return static_cast<std::uint64_t>(*count);
   }
 
   static pugi::xml_node array_named(const pugi::xml_node& parent, const char* name) {
@@ -177,14 +202,17 @@ private:
     const auto count = count_of(piece, "NumberOfPoints");
     const auto array = piece.child("Points").child("DataArray");
     if (!array)
-      refuse_vtu(ec::bad_input, "the file holds no points", "Write the mesh again");
+      refuse_vtu(ec::bad_input, "the file holds no points", "Write the mesh again",
+                 place_of(piece));
+    if (array.attribute("NumberOfComponents").as_int(3) != 3)
+      fail_array("Points", "has not 3 components");
     const auto values = data.reals(array, 3 * count);
     for (std::size_t i = 0; i < count; ++i) {
       const vec3 p{values[3 * i], values[3 * i + 1], values[3 * i + 2]};
       if (!is_finite(p))
         refuse_vtu(ec::bad_input,
                    "point " + std::to_string(i) + " has a coordinate that is not a finite number",
-                   "Write the mesh again");
+                   "Write the mesh again", "point " + std::to_string(i));
       mesh_.add_node(i, p);
     }
   }
@@ -205,25 +233,32 @@ private:
     const auto cells = piece.child("Cells");
     const auto offsets = data.integers(array_of(cells, "offsets"), count);
     const auto types = data.integers(array_of(cells, "types"), count);
+    check_offsets(offsets);
     const auto total = offsets.empty() ? 0 : offsets.back();
-    if (total < 0)
-      refuse_vtu(ec::bad_input, "the last offset of the cells is negative", "Write the mesh again");
     const auto nodes =
       data.integers(array_of(cells, "connectivity"), static_cast<std::uint64_t>(total));
     const auto tag = tags(piece, data, count);
     std::int64_t begin = 0;
     for (std::size_t c = 0; c < count; ++c) {
-      const auto end = offsets[c];
-      if (end < begin || end > total)
-        refuse_vtu(ec::bad_input,
-                   "cell " + std::to_string(c) + " ends at " + std::to_string(end) +
-                     " of the connectivity, where it begins at " + std::to_string(begin),
-                   "The file is damaged: write it again");
       add_cell(c, types[c],
                std::span(nodes).subspan(static_cast<std::size_t>(begin),
-                                        static_cast<std::size_t>(end - begin)),
+                                        static_cast<std::size_t>(offsets[c] - begin)),
                tag.empty() ? std::nullopt : std::optional(tag[c]));
-      begin = end;
+      begin = offsets[c];
+    }
+  }
+
+  /// They say where each cell ends, so that they never go back.
+  static void check_offsets(const std::vector<std::int64_t>& offsets) {
+    std::int64_t begin = 0;
+    for (std::size_t c = 0; c < offsets.size(); ++c) {
+      if (offsets[c] < begin || offsets[c] > offsets.back())
+        refuse_vtu(ec::bad_input,
+                   "cell " + std::to_string(c) + " ends at " + std::to_string(offsets[c]) +
+                     " of the connectivity, where it begins at " + std::to_string(begin) +
+                     " and all end at " + std::to_string(offsets.back()),
+                   "The file is damaged: write it again", "cell " + std::to_string(c));
+      begin = offsets[c];
     }
   }
 
@@ -231,7 +266,7 @@ private:
     if (const auto array = array_named(cells, name))
       return array;
     refuse_vtu(ec::bad_input, std::string("the cells have no array \"") + name + "\"",
-               "Write the mesh again");
+               "Write the mesh again", cells ? place_of(cells) : "Piece");
   }
 
   void add_cell(std::size_t cell, std::int64_t type, std::span<const std::int64_t> nodes,
@@ -254,14 +289,14 @@ private:
         refuse_vtu(ec::bad_input,
                    "cell " + std::to_string(cell) + " names point " + std::to_string(node) +
                      ", which does not exist",
-                   "The file is damaged: write it again");
+                   "The file is damaged: write it again", "cell " + std::to_string(cell));
       numbers.push_back(static_cast<std::uint64_t>(node));
     }
     if (numbers.size() != wanted)
       refuse_vtu(ec::bad_input,
                  "cell " + std::to_string(cell) + " of type " + std::to_string(type) + " has " +
                    std::to_string(numbers.size()) + " points",
-                 "The file is damaged: write it again");
+                 "The file is damaged: write it again", "cell " + std::to_string(cell));
     if (wanted == 4 || wanted == 10)
       mesh_.add_tet(cell, region_of(tag), numbers);
     else
@@ -286,9 +321,7 @@ private:
     const auto corners = array_named(fields, "surface_triangles");
     if (!ids || !corners)
       return;
-    const auto count = ids.attribute("NumberOfTuples").as_ullong(0);
-    if (count > max_slots)
-      refuse_vtu(ec::bad_input, "surface_of_triangle has too many tuples", "Write the mesh again");
+    const auto count = count_of(ids, "NumberOfTuples");
     const auto surface = data.integers(ids, count);
     const auto nodes = data.integers(corners, 3 * count);
     for (std::size_t i = 0; i < count; ++i) {
@@ -307,9 +340,8 @@ private:
       if (!ids || !names)
         return;
       const auto texts = data.texts(names);
-      const auto count = ids.attribute("NumberOfTuples").as_ullong(0);
-      const auto numbers = data.integers(ids, std::min<std::uint64_t>(count, texts.size()));
-      for (std::size_t i = 0; i < numbers.size(); ++i)
+      const auto numbers = data.integers(ids, count_of(ids, "NumberOfTuples"));
+      for (std::size_t i = 0; i < std::min(numbers.size(), texts.size()); ++i)
         take(numbers[i], texts[i]);
     };
     pairs("surface_ids", "surface_names", [&](std::int64_t id, const std::string& name) {

@@ -2,8 +2,20 @@
 #include "scan/reader/file_surface.hpp"
 
 #include "base/units.hpp"
+#include "mesh/io/foreign_file.hpp"
 
 namespace tedit::scan {
+
+expected<file_surface> read_surface(std::string_view kind, std::span<const char> bytes) {
+  bytes = without_mark(bytes);
+  const bool is_archive = std::string_view(bytes.data(), bytes.size()).starts_with("PK");
+  if (auto foreign = foreign_file(bytes); foreign && !(kind == "3mf" && is_archive))
+    return fail(std::move(*foreign));
+  return kind == "stl"   ? read_stl(bytes)
+         : kind == "obj" ? read_obj(bytes)
+         : kind == "ply" ? read_ply(bytes)
+                         : read_3mf(bytes);
+}
 
 std::vector<std::string_view> words_of(std::string_view line) {
   constexpr std::string_view blanks = " \t\r\v\f";

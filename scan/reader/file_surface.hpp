@@ -43,6 +43,11 @@ inline constexpr std::size_t most_triangles = 2'000'000;
 [[nodiscard]] expected<file_surface> read_ply(std::span<const char> bytes);
 [[nodiscard]] expected<file_surface> read_3mf(std::span<const char> bytes);
 
+/// A file of a kind that `kind_of` says (scan/file_kind.hpp). Errors: also `unsupported_format` for
+/// what is plainly something else under that kind's suffix.
+[[nodiscard]] expected<file_surface> read_surface(std::string_view kind,
+                                                  std::span<const char> bytes);
+
 /// The words of a line, parted by blanks.
 [[nodiscard]] std::vector<std::string_view> words_of(std::string_view line);
 

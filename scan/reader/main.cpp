@@ -17,20 +17,13 @@ namespace {
 using namespace tedit;
 using namespace tedit::scan;
 
-expected<file_surface> read_kind(std::string_view kind, std::span<const char> bytes) {
-  return kind == "stl"   ? read_stl(bytes)
-         : kind == "obj" ? read_obj(bytes)
-         : kind == "ply" ? read_ply(bytes)
-                         : read_3mf(bytes);
-}
-
 void read(const cad::program_call& call, const std::filesystem::path& file, std::string_view kind,
           const std::string& unit, const cad::teller& tells) {
   tells.stage(0.02, "reading the file");
   const auto bytes = read_file(file);
   if (!bytes)
     tells.refuse(bytes.error());
-  auto surface = read_kind(kind, *bytes);
+  auto surface = read_surface(kind, *bytes);
   if (!surface)
     tells.refuse(surface.error());
   const auto made = make_part(std::move(*surface), unit, [&](double fraction, const char* what) {

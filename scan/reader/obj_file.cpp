@@ -40,6 +40,9 @@ public:
       const auto words = words_of(lines_.line());
       if (words.empty())
         continue;
+      if (words.back() == "\\")
+        lines_.fail_here(ec::unsupported_format, "a line of the OBJ file goes on in the next one",
+                         "Write each face on one line");
       if (words[0] == "v")
         vertex(words);
       else if (words[0] == "f")
@@ -78,10 +81,10 @@ private:
     const auto count = static_cast<std::int64_t>(read_.surface.points.size());
     const auto place = number < 0 ? count + number : number - 1;
     if (place < 0 || place >= count)
-      lines_.fail_here(
-        ec::bad_input,
-        "a face names vertex " + std::to_string(number) + " of " + std::to_string(count),
-        obj_remedy);
+      lines_.fail_here(ec::bad_input,
+                       "a face names vertex " + std::to_string(number) + " of " +
+                         std::to_string(count) + " so far; they count from 1, or back from -1",
+                       obj_remedy);
     return static_cast<std::uint32_t>(place);
   }
 

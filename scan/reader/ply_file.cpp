@@ -6,6 +6,7 @@
 #include <cstring>
 #include <map>
 
+#include "base/text.hpp"
 #include "scan/reader/file_surface.hpp"
 #include "scan/reader/ply_header.hpp"
 
@@ -34,10 +35,26 @@ public:
   [[nodiscard]] bool is_text() const { return encoding_ == ply_encoding::text; }
 
   [[noreturn]] void fail_here(std::string message, const char* remedy) const {
-    throw file_failure{{ec::bad_input, std::move(message), remedy, "byte " + std::to_string(at_)}};
+    throw file_failure{{ec::bad_input, std::move(message), remedy, place()}};
+  }
+
+  /// Blanks at the end are no numbers.
+  [[nodiscard]] std::size_t left_over() const {
+    return is_text() ? trimmed_end() - std::min(at_, trimmed_end()) : left();
   }
 
 private:
+  [[nodiscard]] std::size_t trimmed_end() const {
+    return file_.find_last_not_of(" \t\r\n\v\f") + 1;
+  }
+
+  /// In a text the line, for people who look there.
+  [[nodiscard]] std::string place() const {
+    if (!is_text())
+      return "byte " + std::to_string(at_);
+    return "line " + std::to_string(1 + std::ranges::count(file_.substr(0, at_), '\n'));
+  }
+
   double next_word() {
     constexpr std::string_view blanks = " \t\r\n\v\f";
     const auto from = std::min(file_.find_first_not_of(blanks, at_), file_.size());
@@ -111,6 +128,13 @@ public:
     read_.unit = header_.unit;
     for (const auto& element : header_.elements)
       read_element(element);
+    const auto rest = numbers_.left_over();
+    if (rest > 0 && numbers_.is_text())
+      numbers_.fail_here("the PLY file goes on behind the numbers that its header counts",
+                         ply_save_again);
+    if (rest > 0)
+      read_.notices.push_back("behind the numbers of the PLY file are " + std::to_string(rest) +
+                              " bytes more, which are left out");
     if (read_.groups.size() < 2 || read_.groups.size() > most_colours) {
       read_.groups.clear();
       read_.group_of.clear();
@@ -130,9 +154,22 @@ private:
                          ply_cut_off);
   }
 
+  /// Without one of them the surface would be flat.
+  void check_coordinates(const ply_element& element) const {
+    for (const char* name : {"x", "y", "z"})
+      if (std::ranges::none_of(element.properties, [&](const ply_property& one) {
+            return one.name == name && !one.is_list;
+          }))
+        throw file_failure{{ec::bad_input,
+                            std::string("the vertices of the PLY file have no ") + name,
+                            ply_save_again, "line " + std::to_string(header_.line)}};
+  }
+
   void read_element(const ply_element& element) {
     check_count(element);
     const bool vertices = element.name == "vertex";
+    if (vertices)
+      check_coordinates(element);
     const bool faces = element.name == "face" || element.name == "faces";
     for (std::uint64_t i = 0; i < element.count; ++i) {
       place_ = {};
@@ -150,8 +187,10 @@ private:
   void read_property(const ply_property& property, bool of_vertex, bool of_face) {
     if (property.is_list) {
       const double count = numbers_.next(property.count_type);
-      if (!(count >= 0) || count > most_corners)
-        numbers_.fail_here("a list of the PLY file has a length that cannot be", ply_save_again);
+      if (!(count >= 0) || count > most_corners || count != std::floor(count))
+        numbers_.fail_here("a list of the PLY file says " + format_number("%.10g", count) +
+                             " numbers, not a whole number from 0 to 1000",
+                           ply_save_again);
       const bool wanted = of_face && property.name.starts_with("vertex_ind");
       for (int k = 0; k < static_cast<int>(count); ++k) {
         const double value = numbers_.next(property.type);
@@ -173,13 +212,19 @@ private:
   }
 
   std::uint32_t corner(double value) const {
-    if (!(value >= 0) || value >= static_cast<double>(read_.surface.points.size()))
-      numbers_.fail_here("a face of the PLY file names a vertex that it does not have",
+    const auto count = read_.surface.points.size();
+    if (!(value >= 0) || value >= static_cast<double>(count) || value != std::floor(value))
+      numbers_.fail_here("a face of the PLY file names vertex " + format_number("%.10g", value) +
+                           " of " + std::to_string(count) + "; they count from 0",
                          ply_save_again);
     return static_cast<std::uint32_t>(value);
   }
 
   void add_face() {
+    if (corners_.size() < 3)
+      numbers_.fail_here(
+        "a face of the PLY file has " + std::to_string(corners_.size()) + " corners, not 3",
+        ply_save_again);
     std::uint32_t group = 0;
     if (colour_) {
       const auto next = static_cast<std::uint32_t>(read_.groups.size());

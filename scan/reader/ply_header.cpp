@@ -52,7 +52,11 @@ void add_property(const std::vector<std::string_view>& words, const line_cursor&
                   ply_header& header) {
   const bool is_list = words.size() == 5 && words[1] == "list";
   if (header.elements.empty() || (!is_list && words.size() != 3))
-    lines.fail_here(ec::bad_input, "this property of the PLY file belongs to nothing", ply_remedy);
+    lines.fail_here(ec::bad_input,
+                    header.elements.empty() ? "this property stands before all elements"
+                                            : "this property has not a type and a name, or list, "
+                                              "two types and a name",
+                    ply_remedy);
   ply_property made{std::string(words.back()), ply_type::float32, is_list, ply_type::uint8};
   made.type = type_of(words[is_list ? 3 : 1], lines);
   if (is_list)
@@ -82,13 +86,19 @@ ply_header read_ply_header(std::string_view file) {
       header.encoding = encoding_of(words[1], lines);
       has_format = true;
     } else if (words[0] == "element" && words.size() == 3) {
-      const auto count = lines.integer(words[2], "count");
+      const auto count = lines.integer(words[2], "the count of an element");
       if (count < 0)
-        lines.fail_here(ec::bad_input, "a count of the PLY file is negative", ply_remedy);
+        lines.fail_here(ec::bad_input,
+                        "the PLY file says that it has " + std::to_string(count) + " of \"" +
+                          shown(words[1]) + "\"",
+                        ply_remedy);
       header.elements.push_back({std::string(words[1]), static_cast<std::uint64_t>(count), {}});
     } else if (words[0] == "property" && words.size() >= 3) {
       add_property(words, lines, header);
-    } else if (words[0] == "end_header" && has_format) {
+    } else if (words[0] == "end_header") {
+      if (!has_format)
+        lines.fail_here(ec::bad_input, "the header of the PLY file does not say its format",
+                        ply_remedy);
       header.line = lines.number();
       header.body = std::min(file.size(), file.find('\n', lines.offset()) + 1);
       return header;

@@ -38,7 +38,7 @@ expected<file_surface> read_binary(std::string_view bytes) {
     return fail(ec::bad_input,
                 "the STL file is cut off: it has " + std::to_string(bytes.size()) +
                   " bytes, its header alone has 84",
-                save_again);
+                save_again, "byte " + std::to_string(bytes.size()));
   std::uint32_t count = 0;
   std::memcpy(&count, bytes.data() + header_size, sizeof(count));
   const auto room = (bytes.size() - header_size - 4) / triangle_size;
@@ -80,9 +80,11 @@ public:
   file_surface read() {
     while (lines_.next())
       take(words_of(lines_.line()));
-    if (corners_ != 0)
+    if (in_facet_)
       lines_.fail_here(ec::bad_input, "the STL file ends within a facet",
                        std::string(save_again) + ": it is cut off");
+    if (solids_ > ends_)
+      read_.notices.push_back("the STL file does not end with endsolid: it may be cut off");
     if (read_.groups.size() < 2) {
       read_.bodies.push_back(read_.groups.empty() ? std::string() : read_.groups.front().name);
       read_.groups.clear();
@@ -99,16 +101,24 @@ private:
       vertex(words);
     } else if (words[0] == "solid") {
       begin_solid();
-    } else if (words[0] == "endfacet" || words[0] == "facet") {
-      if (corners_ != 0)
-        lines_.fail_here(
-          ec::bad_input,
-          "a facet of the STL file has " + std::to_string(corners_) + " corners, not 3",
-          save_again);
-    } else if (words[0] != "outer" && words[0] != "endloop" && words[0] != "endsolid") {
+    } else if (words[0] == "facet" || words[0] == "endfacet") {
+      end_facet();
+      in_facet_ = words[0] == "facet";
+    } else if (words[0] == "endsolid") {
+      ++ends_;
+    } else if (words[0] != "outer" && words[0] != "endloop") {
       lines_.fail_here(ec::bad_input, "\"" + shown(words[0]) + "\" is no word of an STL file",
                        save_again);
     }
+  }
+
+  /// The one before, if any.
+  void end_facet() {
+    if (in_facet_ && corners_ != 3)
+      lines_.fail_here(
+        ec::bad_input,
+        "a facet of the STL file has " + std::to_string(corners_) + " corners, not 3", save_again);
+    corners_ = 0;
   }
 
   void begin_solid() {
@@ -116,6 +126,7 @@ private:
     if (read_.unit.empty())
       read_.unit = unit_in(name);
     read_.groups.push_back({std::string(name), {}, 0});
+    ++solids_;
   }
 
   void vertex(const std::vector<std::string_view>& words) {
@@ -123,11 +134,14 @@ private:
       lines_.fail_here(ec::bad_input,
                        "a corner has " + std::to_string(words.size() - 1) + " coordinates, not 3",
                        save_again);
-    pending_[corners_] = {lines_.real(words[1], "x"), lines_.real(words[2], "y"),
-                          lines_.real(words[3], "z")};
-    if (++corners_ < 3)
+    if (!in_facet_)
+      lines_.fail_here(ec::bad_input, "a corner stands outside of all facets", save_again);
+    const vec3 corner{lines_.real(words[1], "x"), lines_.real(words[2], "y"),
+                      lines_.real(words[3], "z")};
+    if (corners_ < 3)
+      pending_[corners_] = corner;
+    if (++corners_ != 3)
       return;
-    corners_ = 0;
     if (read_.groups.empty())
       read_.groups.push_back({});
     add_triangle(read_, pending_);
@@ -137,7 +151,10 @@ private:
   line_cursor lines_;
   file_surface read_;
   std::array<vec3, 3> pending_;
-  std::size_t corners_ = 0;
+  bool in_facet_ = false;
+  std::size_t corners_ = 0;  ///< Of the facet.
+  std::size_t solids_ = 0;
+  std::size_t ends_ = 0;
 };
 
 }  // namespace

@@ -55,12 +55,18 @@ public:
     const std::map<std::string, std::string> units{{"micron", "um"},     {"millimeter", "mm"},
                                                    {"centimeter", "cm"}, {"meter", "m"},
                                                    {"inch", "in"},       {"foot", "ft"}};
+    if (!model_)
+      fail_at(model_, "the model of the 3MF file holds no element \"model\"");
     if (!units.contains(unit))
-      fail_with("\"" + shown(unit) + "\" is no unit of a 3MF file");
+      fail_at(model_, "\"" + shown(unit) + "\" is no unit of a 3MF file");
     read_.unit = units.at(unit);
     take_resources();
-    for (const auto& item : model_.child("build").children("item"))
-      add_object(item.attribute("objectid").value(), map_of(item), {}, 0);
+    const auto build = model_.child("build");
+    if (!build.child("item"))
+      fail_at(build ? build : model_, "the 3MF file builds nothing: it has no item", ec::bad_input,
+              "Put the part on the plate, and save the file again");
+    for (const auto& item : build.children("item"))
+      add_object(item, map_of(item), {}, 0);
     if (read_.groups.size() < 2) {
       read_.groups.clear();
       read_.group_of.clear();
@@ -71,18 +77,21 @@ public:
   }
 
 private:
-  [[noreturn]] static void fail_with(std::string message) {
-    throw file_failure{{ec::bad_input, std::move(message), threemf_remedy, {}}};
+  [[noreturn]] static void fail_at(const pugi::xml_node& node, std::string message,
+                                   ec code = ec::bad_input, const char* remedy = threemf_remedy) {
+    throw file_failure{{code, std::move(message), remedy, place_of(node)}};
+  }
+
+  static std::string place_of(const pugi::xml_node& node) {
+    return "byte " + std::to_string(std::max<std::ptrdiff_t>(0, node.offset_debug())) +
+           " of the model";
   }
 
   static double real_at(const pugi::xml_node& node, const char* name) {
     const auto value = real_of(node.attribute(name).value());
     if (!value)
-      throw file_failure{
-        {ec::bad_input,
-         std::string("a vertex of the 3MF file has ") + name + " \"" +
-           shown(node.attribute(name).value()) + "\", which is not a finite number",
-         threemf_remedy, "byte " + std::to_string(node.offset_debug()) + " of the model"}};
+      fail_at(node, std::string("a vertex of the 3MF file has ") + name + " \"" +
+                      shown(node.attribute(name).value()) + "\", which is not a finite number");
     return *value;
   }
 
@@ -92,13 +101,13 @@ private:
     if (words.empty())
       return map;
     if (words.size() != 12)
-      fail_with("a transform of the 3MF file has " + std::to_string(words.size()) +
-                " numbers, not 12");
+      fail_at(node, "a transform of the 3MF file has " + std::to_string(words.size()) +
+                      " numbers, not 12");
     for (std::size_t i = 0; i < 12; ++i) {
       const auto value = real_of(words[i]);
       if (!value)
-        fail_with("a transform of the 3MF file holds \"" + shown(words[i]) +
-                  "\", which is not a finite number");
+        fail_at(node, "a transform of the 3MF file holds \"" + shown(words[i]) +
+                        "\", which is not a finite number");
       map.m[i] = *value;
     }
     return map;
@@ -124,7 +133,8 @@ private:
       const std::string kind = list.name();
       const std::string id = list.attribute("id").value();
       if (kind == "object") {
-        objects_[id] = list;
+        if (!objects_.emplace(id, list).second)
+          fail_at(list, "the 3MF file has two objects \"" + shown(id) + "\"");
         continue;
       }
       int place = 0;
@@ -136,22 +146,35 @@ private:
     }
   }
 
-  void add_object(const std::string& id, const affine_map& map, const std::string& name,
+  /// `use`: an item or a component.
+  void add_object(const pugi::xml_node& use, const affine_map& map, const std::string& name,
                   int depth) {
+    const std::string id = use.attribute("objectid").value();
+    for (const auto& attribute : use.attributes())
+      if (std::string_view(attribute.name()).ends_with(":path"))
+        fail_at(use, "object \"" + shown(id) + "\" of the 3MF file is in another model file in it",
+                ec::unsupported_format,
+                "Export the part as STL, or as a 3MF of the core specification alone");
     const auto found = objects_.find(id);
     if (found == objects_.end())
-      fail_with("the 3MF file names object \"" + shown(id) + "\", which it does not have");
+      fail_at(use, "the 3MF file names object \"" + shown(id) + "\", which it does not have");
     if (depth > deepest_components || ++items_ > most_items)
-      fail_with("objects of the 3MF file are made of each other without end");
+      fail_at(use, "objects of the 3MF file are made of each other without end");
     const auto& object = found->second;
     if (const std::string kind = object.attribute("type").as_string("model"); kind != "model")
       return;
     const std::string own = object.attribute("name").value();
     for (const auto& part : object.child("components").children("component"))
-      add_object(part.attribute("objectid").value(), map_of(part).then(map),
-                 own.empty() ? name : own, depth + 1);
+      add_object(part, map_of(part).then(map), own.empty() ? name : own, depth + 1);
     if (object.child("mesh"))
       add_mesh(object, map, own.empty() ? name : own);
+  }
+
+  void add_vertex(const pugi::xml_node& v, const affine_map& map) {
+    const auto place = map.at({real_at(v, "x"), real_at(v, "y"), real_at(v, "z")});
+    if (!is_finite(place))
+      fail_at(v, "a vertex of the 3MF file lies, after its transforms, beyond all numbers");
+    read_.surface.points.push_back(place);
   }
 
   void add_mesh(const pugi::xml_node& object, const affine_map& map, const std::string& name) {
@@ -160,7 +183,7 @@ private:
     read_.bodies.push_back(name);
     const auto mesh = object.child("mesh");
     for (const auto& v : mesh.child("vertices").children("vertex"))
-      read_.surface.points.push_back(map.at({real_at(v, "x"), real_at(v, "y"), real_at(v, "z")}));
+      add_vertex(v, map);
     const auto count = read_.surface.points.size() - first;
     for (const auto& t : mesh.child("triangles").children("triangle")) {
       triangle_corners corners{};
@@ -168,8 +191,9 @@ private:
       for (std::size_t k = 0; k < 3; ++k) {
         const auto place = integer_of(t.attribute(names[k]).value());
         if (!place || *place < 0 || static_cast<std::uint64_t>(*place) >= count)
-          fail_with("a triangle of the 3MF file names vertex \"" +
-                    shown(t.attribute(names[k]).value()) + "\" of " + std::to_string(count));
+          fail_at(t, "a triangle of the 3MF file names vertex \"" +
+                       shown(t.attribute(names[k]).value()) + "\" of " + std::to_string(count) +
+                       "; they count from 0");
         corners[k] = static_cast<std::uint32_t>(first + static_cast<std::uint64_t>(*place));
       }
       read_.surface.triangles.push_back(corners);
@@ -177,7 +201,8 @@ private:
       read_.body_of.push_back(body);
     }
     if (read_.surface.triangles.size() > most_triangles)
-      fail_with("the 3MF file builds more than 2,000,000 triangles");
+      fail_at(object, "the 3MF file builds more than 2,000,000 triangles", ec::bad_input,
+              "Simplify the part first, for example in MeshLab");
   }
 
   /// A triangle's material, else its object's.

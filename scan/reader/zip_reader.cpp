@@ -16,6 +16,7 @@ constexpr std::size_t directory_size = 46;
 constexpr std::size_t local_size = 30;
 constexpr std::uint16_t stored = 0;
 constexpr std::uint16_t deflated = 8;
+constexpr std::uint16_t encrypted = 1;
 
 template <class T>
 T number_at(std::span<const char> bytes, std::size_t at) {
@@ -67,6 +68,8 @@ expected<std::string> inflated(std::span<const char> packed, std::uint64_t size,
 }  // namespace
 
 expected<zip_archive> zip_archive::open(std::span<const char> bytes) {
+  if (!has_mark(bytes, 0, "PK\3\4"))
+    return damaged("it does not begin as a zip archive does", 0);
   const auto end = end_record(bytes);
   if (!end)
     return damaged("it has no directory, as if it were cut off", bytes.size());
@@ -74,6 +77,7 @@ expected<zip_archive> zip_archive::open(std::span<const char> bytes) {
   std::size_t at = number_at<std::uint32_t>(bytes, *end + 16);
   zip_archive archive;
   archive.bytes_ = bytes;
+  archive.directory_ = at;
   for (std::uint16_t i = 0; i < count; ++i) {
     if (at > bytes.size() || bytes.size() - at < directory_size || !has_mark(bytes, at, "PK\1\2"))
       return damaged("its directory is not whole", std::min(at, bytes.size()));
@@ -84,9 +88,9 @@ expected<zip_archive> zip_archive::open(std::span<const char> bytes) {
       return damaged("its directory is not whole", at);
     archive.entries_.push_back(
       {std::string(bytes.data() + at + directory_size, name),
-       number_at<std::uint16_t>(bytes, at + 10), number_at<std::uint32_t>(bytes, at + 16),
-       number_at<std::uint32_t>(bytes, at + 20), number_at<std::uint32_t>(bytes, at + 24),
-       number_at<std::uint32_t>(bytes, at + 42)});
+       number_at<std::uint16_t>(bytes, at + 8), number_at<std::uint16_t>(bytes, at + 10),
+       number_at<std::uint32_t>(bytes, at + 16), number_at<std::uint32_t>(bytes, at + 20),
+       number_at<std::uint32_t>(bytes, at + 24), number_at<std::uint32_t>(bytes, at + 42)});
     at += directory_size + name + more;
   }
   return archive;
@@ -102,7 +106,14 @@ std::vector<std::string> zip_archive::names() const {
 expected<std::string> zip_archive::unpack(std::string_view name, std::size_t most) const {
   const auto found = std::ranges::find(entries_, name, &entry::name);
   if (found == entries_.end())
-    return fail(ec::not_found, "the 3MF file holds no " + std::string(name), zip_remedy);
+    return fail(ec::bad_input, "the archive holds no " + std::string(name) + ": it is no 3MF file",
+                zip_remedy, "byte " + std::to_string(directory_));
+  if ((found->flags & encrypted) != 0)
+    return fail(ec::unsupported_format, "the 3MF archive is locked by a password",
+                "Save it without one", "byte " + std::to_string(found->offset));
+  if (found->packed == UINT32_MAX || found->size == UINT32_MAX || found->offset == UINT32_MAX)
+    return fail(ec::unsupported_format, "the 3MF archive has sizes of 64 bits (ZIP64)",
+                "Save the part as STL, or simplify it", "byte " + std::to_string(directory_));
   const auto at = found->offset;
   if (at > bytes_.size() || bytes_.size() - at < local_size || !has_mark(bytes_, at, "PK\3\4"))
     return damaged("a file in it is not where its directory says", at);
@@ -114,7 +125,12 @@ expected<std::string> zip_archive::unpack(std::string_view name, std::size_t mos
     return fail(ec::bad_input,
                 "a file in the 3MF archive says that it has " + std::to_string(found->size) +
                   " bytes unpacked, more than " + std::to_string(most),
-                "Simplify the part first");
+                "Simplify the part first", "byte " + std::to_string(at));
+  // Nothing that is deflated becomes a thousandth of itself: no bomb gets its memory.
+  if (found->size / 1040 > found->packed)
+    return damaged("a file in it says that " + std::to_string(found->packed) + " bytes become " +
+                     std::to_string(found->size),
+                   at);
   const auto packed = bytes_.subspan(begin, found->packed);
   expected<std::string> text = std::string();
   if (found->method == deflated)

@@ -21,12 +21,13 @@ public:
   [[nodiscard]] std::vector<std::string> names() const;
 
   /// A file, unpacked. `most`: bytes that it may have, whatever its directory says. Errors:
-  /// `not_found`; `bad_input` where it is damaged; `unsupported_format`. Cost: O(its bytes).
+  /// `bad_input` where it is not there or damaged; `unsupported_format`. Cost: O(its bytes).
   [[nodiscard]] expected<std::string> unpack(std::string_view name, std::size_t most) const;
 
 private:
   struct entry {
     std::string name;
+    std::uint16_t flags = 0;
     std::uint16_t method = 0;
     std::uint32_t crc = 0;
     std::uint64_t packed = 0;
@@ -36,6 +37,7 @@ private:
 
   std::span<const char> bytes_;
   std::vector<entry> entries_;
+  std::size_t directory_ = 0;  ///< Where its directory begins.
 };
 
 }  // namespace tedit::scan

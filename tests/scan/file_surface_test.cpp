@@ -78,7 +78,7 @@ TEST(StlFile, RefusesWhatIsBrokenWithThePlace) {
   const std::vector<broken_file> files{
     {"cut off", read_stl, stl.substr(0, 300),
      "says that it has 12 triangles, but its bytes end after 4", "byte 80"},
-    {"header alone", read_stl, stl.substr(0, 60), "its header alone has 84", ""},
+    {"header alone", read_stl, stl.substr(0, 60), "its header alone has 84", "byte 60"},
     {"a count of 2^31", read_stl, with_count(stl, 0x80000000U),
      "says that it has 2147483648 triangles, but its bytes end after 12", "byte 80"},
     {"not a number", read_stl, not_a_number,
