@@ -141,7 +141,7 @@ TEST(Import, RefusesWhatIsNoPartWithTheReason) {
      "this is no STEP, IGES or BREP file: it looks like a Gmsh mesh, which the other commands take "
      "as it is"},
     {"surface.stp", "solid box\n facet normal 0 0 1\n", 65, "bad_input",
-     "the STL file holds no triangle"},
+     "the STL file ends within a facet"},
     {"words.stp", "My part.", 65, "unsupported_format",
      "this is no STEP, IGES or BREP file: it looks like something else"},
     {"no_data.step", head + "DATA;\nENDSEC;\nEND-ISO-10303-21;\n", 65, "bad_input", ""},
