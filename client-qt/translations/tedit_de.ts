@@ -2464,10 +2464,6 @@
         <translation>%1 hat keine Ecke innerhalb des Randes, also liegt keine Schicht von Tetraedern darunter allein</translation>
     </message>
     <message>
-        <source>%1 is &quot;%2&quot;, which is not a finite number</source>
-        <translation>%1 ist „%2“, und das ist keine endliche Zahl</translation>
-    </message>
-    <message>
         <source>%1 is %2</source>
         <translation>%1 ist %2</translation>
     </message>
@@ -2794,10 +2790,6 @@
     <message>
         <source>Choose a .msh file</source>
         <translation>Eine .msh-Datei wählen</translation>
-    </message>
-    <message>
-        <source>Choose a .msh file of version 2.2 or 4.1</source>
-        <translation>Eine .msh-Datei der Version 2.2 oder 4.1 wählen</translation>
     </message>
     <message>
         <source>Choose another one</source>
@@ -4128,10 +4120,6 @@
         <translation>keine Fläche ist ausgewählt</translation>
     </message>
     <message>
-        <source>no text that starts with $MeshFormat</source>
-        <translation>kein Text, der mit $MeshFormat beginnt</translation>
-    </message>
-    <message>
         <source>node %1 has a coordinate that is no number</source>
         <translation>Knoten %1 hat eine Koordinate, die keine Zahl ist</translation>
     </message>
@@ -4154,10 +4142,6 @@
     <message>
         <source>node numbers start at 1, this one is %1</source>
         <translation>Knotennummern beginnen bei 1, diese ist %1</translation>
-    </message>
-    <message>
-        <source>node of an element</source>
-        <translation>Knoten eines Elements</translation>
     </message>
     <message>
         <source>nodes in a block</source>
@@ -4192,10 +4176,6 @@
         <translation>Zahl der Elementblöcke</translation>
     </message>
     <message>
-        <source>number of elements</source>
-        <translation>Zahl der Elemente</translation>
-    </message>
-    <message>
         <source>number of elements in a block</source>
         <translation>Zahl der Elemente in einem Block</translation>
     </message>
@@ -4208,16 +4188,8 @@
         <translation>Zahl der Knotenblöcke</translation>
     </message>
     <message>
-        <source>number of nodes</source>
-        <translation>Zahl der Knoten</translation>
-    </message>
-    <message>
         <source>number of nodes in a block</source>
         <translation>Zahl der Knoten in einem Block</translation>
-    </message>
-    <message>
-        <source>number of physical names</source>
-        <translation>Zahl der physikalischen Namen</translation>
     </message>
     <message>
         <source>number of physical tags</source>
@@ -7488,10 +7460,6 @@
         <translation>%1 ist %2, Nummern beginnen bei 1</translation>
     </message>
     <message>
-        <source>%1 is %2, too many</source>
-        <translation>%1 ist %2, zu viel</translation>
-    </message>
-    <message>
         <source>%1 of a %2 is &quot;%3&quot;, not a finite number (field %4)</source>
         <translation>%1 einer Karte %2 ist „%3“, keine endliche Zahl (Feld %4)</translation>
     </message>
@@ -7534,10 +7502,6 @@
     <message>
         <source>A mesh: %1</source>
         <translation>Ein Netz: %1</translation>
-    </message>
-    <message>
-        <source>Check first, last and step of GENERATE</source>
-        <translation>Anfang, Ende und Schritt von GENERATE prüfen</translation>
     </message>
     <message>
         <source>Correct the card or write the file again</source>
@@ -7596,16 +7560,8 @@
         <translation>Es hinter sein *MATERIAL setzen</translation>
     </message>
     <message>
-        <source>Put its lines in the place of *INCLUDE: files are read one by one</source>
-        <translation>Ihre Zeilen an die Stelle von *INCLUDE setzen: Dateien werden einzeln gelesen</translation>
-    </message>
-    <message>
         <source>Put its lines in the place of INCLUDE: files are read one by one</source>
         <translation>Ihre Zeilen an die Stelle von INCLUDE setzen: Dateien werden einzeln gelesen</translation>
-    </message>
-    <message>
-        <source>THRU of a SPC1 goes from %1 to %2</source>
-        <translation>THRU einer SPC1 geht von %1 bis %2</translation>
     </message>
     <message>
         <source>Take linear tets (--order 1) or a coarser mesh</source>
@@ -7712,10 +7668,6 @@
         <translation>eine Kraft wirkt auf die Menge „%1“, die es nicht gibt</translation>
     </message>
     <message>
-        <source>a group&apos;s first record has eight numbers</source>
-        <translation>der erste Satz einer Gruppe hat acht Zahlen</translation>
-    </message>
-    <message>
         <source>a group&apos;s members</source>
         <translation>die Mitglieder einer Gruppe</translation>
     </message>
@@ -7788,16 +7740,8 @@
         <translation>Feld „%1“</translation>
     </message>
     <message>
-        <source>begins behind the end of the appended data</source>
-        <translation>beginnt hinter dem Ende der angehängten Daten</translation>
-    </message>
-    <message>
         <source>cell %1</source>
         <translation>Zelle %1</translation>
-    </message>
-    <message>
-        <source>cell %1 ends at %2 of the connectivity, where it begins at %3</source>
-        <translation>Zelle %1 endet bei %2 der Verknüpfung, wo sie bei %3 beginnt</translation>
     </message>
     <message>
         <source>cell %1 names point %2, which does not exist</source>
@@ -7846,10 +7790,6 @@
     <message>
         <source>has %1 numbers where %2 should be</source>
         <translation>hat %1 Zahlen, wo %2 sein sollten</translation>
-    </message>
-    <message>
-        <source>has a block of %1 bytes in %2, more than there can be</source>
-        <translation>hat einen Block von %1 Byte in %2, mehr als sein können</translation>
     </message>
     <message>
         <source>has a block that zlib cannot read</source>
@@ -7976,10 +7916,6 @@
         <translation>Fläche „%1“ nennt die Menge „%2“, die es nicht gibt</translation>
     </message>
     <message>
-        <source>surface_of_triangle has too many tuples</source>
-        <translation>surface_of_triangle hat zu viele Tupel</translation>
-    </message>
-    <message>
         <source>tapered beam</source>
         <translation>verjüngter Balken</translation>
     </message>
@@ -8026,10 +7962,6 @@
     <message>
         <source>the deck holds elements of type &quot;%1&quot;; only tetrahedra (C3D4, C3D10) are supported</source>
         <translation>die Eingabedatei enthält Elemente vom Typ „%1“; nur Tetraeder (C3D4, C3D10) gehen</translation>
-    </message>
-    <message>
-        <source>the deck takes in another file by *INCLUDE (%1)</source>
-        <translation>die Eingabedatei holt mit *INCLUDE eine andere Datei (%1)</translation>
     </message>
     <message>
         <source>the deck takes in another file by INCLUDE</source>
@@ -8102,10 +8034,6 @@
     <message>
         <source>the last node</source>
         <translation>der letzte Knoten</translation>
-    </message>
-    <message>
-        <source>the last offset of the cells is negative</source>
-        <translation>der letzte Versatz der Zellen ist negativ</translation>
     </message>
     <message>
         <source>the load case that TEdit wrote into the file is left out: its cards were changed since, and are read as they are</source>
@@ -8522,6 +8450,454 @@
     <message>
         <source>the document %1 is open in other clients (%2: %3)</source>
         <translation>das Dokument %1 ist in anderen Programmen offen (%2: %3)</translation>
+    </message>
+    <message>
+        <source>%1 is &quot;%2&quot;, not %3 or %4</source>
+        <translation>%1 ist „%2“, nicht %3 oder %4</translation>
+    </message>
+    <message>
+        <source>%1 is &quot;%2&quot;, not a whole number from 0 to %3</source>
+        <translation>%1 ist „%2“, keine ganze Zahl von 0 bis %3</translation>
+    </message>
+    <message>
+        <source>%1 is &quot;%2&quot;, which is not %3</source>
+        <translation>%1 ist „%2“; gebraucht wird %3</translation>
+    </message>
+    <message>
+        <source>%1 stands where %2 should be: the section&apos;s counts and its content disagree</source>
+        <translation>%1 steht, wo %2 sein sollte: Anzahlen und Inhalt des Abschnitts stimmen nicht überein</translation>
+    </message>
+    <message>
+        <source>*%1 does not say the name of its set</source>
+        <translation>*%1 nennt nicht den Namen seiner Menge</translation>
+    </message>
+    <message>
+        <source>*ELEMENT does not say its TYPE</source>
+        <translation>*ELEMENT nennt seinen TYPE nicht</translation>
+    </message>
+    <message>
+        <source>A line is lost or too much: write the file again</source>
+        <translation>Eine Zeile fehlt oder ist zu viel: die Datei neu schreiben</translation>
+    </message>
+    <message>
+        <source>Check first, last and step of GENERATE, and sets that hold each other</source>
+        <translation>Anfang, Ende und Schritt von GENERATE prüfen, und Mengen, die einander enthalten</translation>
+    </message>
+    <message>
+        <source>Choose a .msh (2.2 or 4.1), .vtu, .inp, .bdf or .unv file</source>
+        <translation>Eine Datei .msh (2.2 oder 4.1), .vtu, .inp, .bdf oder .unv wählen</translation>
+    </message>
+    <message>
+        <source>Choose the file of a load case</source>
+        <translation>Die Datei eines Lastfalls wählen</translation>
+    </message>
+    <message>
+        <source>Choose the file of the part</source>
+        <translation>Die Datei des Teils wählen</translation>
+    </message>
+    <message>
+        <source>Correct the text there</source>
+        <translation>Den Text dort berichtigen</translation>
+    </message>
+    <message>
+        <source>Download the file again</source>
+        <translation>Die Datei neu herunterladen</translation>
+    </message>
+    <message>
+        <source>Export the part as STEP</source>
+        <translation>Das Teil als STEP ausgeben</translation>
+    </message>
+    <message>
+        <source>Export the part as STEP, STL or 3MF</source>
+        <translation>Das Teil als STEP, STL oder 3MF ausgeben</translation>
+    </message>
+    <message>
+        <source>Fetch the file: git lfs pull</source>
+        <translation>Die Datei holen: git lfs pull</translation>
+    </message>
+    <message>
+        <source>GENERATE goes back, from %1 to %2</source>
+        <translation>GENERATE läuft rückwärts, von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>GRID %1 has the whole number %2 as a coordinate, and fields behind its coordinates</source>
+        <translation>GRID %1 hat die ganze Zahl %2 als Koordinate, und Felder hinter seinen Koordinaten</translation>
+    </message>
+    <message>
+        <source>GRID with displacements in a coordinate system of its own</source>
+        <translation>GRID mit Verschiebungen in einem eigenen Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>GRID with supports of its own</source>
+        <translation>GRID mit eigenen Lagern</translation>
+    </message>
+    <message>
+        <source>It is cut off or damaged: write it again, or take a STEP file</source>
+        <translation>Sie ist abgeschnitten oder beschädigt: neu schreiben, oder eine STEP-Datei nehmen</translation>
+    </message>
+    <message>
+        <source>It is cut off, or was saved without its mesh: write it again</source>
+        <translation>Sie ist abgeschnitten oder wurde ohne ihr Netz gesichert: neu schreiben</translation>
+    </message>
+    <message>
+        <source>Mesh surfaces with triangles</source>
+        <translation>Flächen mit Dreiecken vernetzen</translation>
+    </message>
+    <message>
+        <source>Mesh the part coarser</source>
+        <translation>Das Teil gröber vernetzen</translation>
+    </message>
+    <message>
+        <source>Open it as a document: its name ends with .tedit</source>
+        <translation>Sie als Dokument öffnen: ihr Name endet mit .tedit</translation>
+    </message>
+    <message>
+        <source>Piece</source>
+        <translation>Piece</translation>
+    </message>
+    <message>
+        <source>Put its lines in the place of %1: files are read one by one</source>
+        <translation>Ihre Zeilen an die Stelle von %1 setzen: Dateien werden einzeln gelesen</translation>
+    </message>
+    <message>
+        <source>Remove it, or mesh the part again</source>
+        <translation>Ihn entfernen oder das Teil neu vernetzen</translation>
+    </message>
+    <message>
+        <source>Save it as UTF-8 or ASCII</source>
+        <translation>Als UTF-8 oder ASCII sichern</translation>
+    </message>
+    <message>
+        <source>Save it as UTF-8, or choose a file of JSON</source>
+        <translation>Als UTF-8 sichern, oder eine JSON-Datei wählen</translation>
+    </message>
+    <message>
+        <source>Save the mesh with all of its nodes</source>
+        <translation>Das Netz mit allen seinen Knoten sichern</translation>
+    </message>
+    <message>
+        <source>THRU of a SPC1 goes from %1 to %2, more nodes than such a file can have</source>
+        <translation>THRU einer Karte SPC1 geht von %1 bis %2, mehr Knoten, als eine solche Datei haben kann</translation>
+    </message>
+    <message>
+        <source>THRU of a SPC1 goes from %1 to %2, which is back</source>
+        <translation>THRU einer Karte SPC1 geht von %1 bis %2, also rückwärts</translation>
+    </message>
+    <message>
+        <source>The file is damaged, or was written wrongly: write it again</source>
+        <translation>Die Datei ist beschädigt oder falsch geschrieben: neu schreiben</translation>
+    </message>
+    <message>
+        <source>Unpack it first</source>
+        <translation>Sie erst entpacken</translation>
+    </message>
+    <message>
+        <source>Unpack it first: gunzip FILE</source>
+        <translation>Sie erst entpacken: gunzip DATEI</translation>
+    </message>
+    <message>
+        <source>UnstructuredGrid</source>
+        <translation>UnstructuredGrid</translation>
+    </message>
+    <message>
+        <source>Write *%1, %2=NAME</source>
+        <translation>*%1, %2=NAME schreiben</translation>
+    </message>
+    <message>
+        <source>Write *ELEMENT, TYPE=C3D4</source>
+        <translation>*ELEMENT, TYPE=C3D4 schreiben</translation>
+    </message>
+    <message>
+        <source>Write decimals with a point</source>
+        <translation>Dezimalzahlen mit Punkt schreiben</translation>
+    </message>
+    <message>
+        <source>Write decimals with a point, and leave out normals</source>
+        <translation>Dezimalzahlen mit Punkt schreiben, und Normalen weglassen</translation>
+    </message>
+    <message>
+        <source>Write it as .msh, .vtu, .inp, .bdf or .unv in the program that it comes from</source>
+        <translation>Sie in dem Programm, aus dem sie kommt, als .msh, .vtu, .inp, .bdf oder .unv schreiben</translation>
+    </message>
+    <message>
+        <source>Write it as .vtu, for example with ParaView</source>
+        <translation>Sie als .vtu schreiben, zum Beispiel mit ParaView</translation>
+    </message>
+    <message>
+        <source>Write it on a 64-bit machine, or as text</source>
+        <translation>Sie auf einem 64-Bit-Rechner oder als Text schreiben</translation>
+    </message>
+    <message>
+        <source>Write or copy it again</source>
+        <translation>Sie neu schreiben oder kopieren</translation>
+    </message>
+    <message>
+        <source>Write them as one of these</source>
+        <translation>Sie als eines von diesen schreiben</translation>
+    </message>
+    <message>
+        <source>Write: first, last, step</source>
+        <translation>Zu schreiben ist: Anfang, Ende, Schritt</translation>
+    </message>
+    <message>
+        <source>a %1 goes on over more than %2 empty lines</source>
+        <translation>eine Karte %1 geht über mehr als %2 leere Zeilen weiter</translation>
+    </message>
+    <message>
+        <source>a *STEP of the deck has no *END STEP: it may be cut off</source>
+        <translation>ein *STEP der Eingabedatei hat kein *END STEP: sie ist vielleicht abgeschnitten</translation>
+    </message>
+    <message>
+        <source>a database, such as a document of TEdit</source>
+        <translation>eine Datenbank, etwa ein Dokument von TEdit</translation>
+    </message>
+    <message>
+        <source>a dataset should begin here with a line -1, but &quot;%1&quot; follows the one of line %2</source>
+        <translation>hier sollte ein Datensatz mit einer Zeile -1 beginnen, aber „%1“ folgt auf den der Zeile %2</translation>
+    </message>
+    <message>
+        <source>a file of Windows programs (OLE), such as a part of SolidWorks</source>
+        <translation>eine Datei von Windows-Programmen (OLE), etwa ein Teil von SolidWorks</translation>
+    </message>
+    <message>
+        <source>a file that is packed by gzip</source>
+        <translation>eine mit gzip gepackte Datei</translation>
+    </message>
+    <message>
+        <source>a finite number</source>
+        <translation>eine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>a group&apos;s first record has eight numbers, the last says how many members</source>
+        <translation>der erste Satz einer Gruppe hat acht Zahlen, die letzte nennt die Zahl der Mitglieder</translation>
+    </message>
+    <message>
+        <source>a mesh of Medit (.mesh)</source>
+        <translation>ein Netz von Medit (.mesh)</translation>
+    </message>
+    <message>
+        <source>a node has more than three coordinates</source>
+        <translation>ein Knoten hat mehr als drei Koordinaten</translation>
+    </message>
+    <message>
+        <source>a node of an element</source>
+        <translation>ein Knoten eines Elements</translation>
+    </message>
+    <message>
+        <source>a number of a group&apos;s first record</source>
+        <translation>eine Zahl des ersten Satzes einer Gruppe</translation>
+    </message>
+    <message>
+        <source>a number of a group&apos;s members</source>
+        <translation>eine Zahl der Mitglieder einer Gruppe</translation>
+    </message>
+    <message>
+        <source>a number of a node&apos;s first record</source>
+        <translation>eine Zahl des ersten Satzes eines Knotens</translation>
+    </message>
+    <message>
+        <source>a number of a set</source>
+        <translation>eine Nummer einer Menge</translation>
+    </message>
+    <message>
+        <source>a number of an element&apos;s first record</source>
+        <translation>eine Zahl des ersten Satzes eines Elements</translation>
+    </message>
+    <message>
+        <source>a pointer of Git LFS in place of the file</source>
+        <translation>ein Verweis von Git LFS an Stelle der Datei</translation>
+    </message>
+    <message>
+        <source>a pressure acts on the set &quot;%1&quot;, which is not there</source>
+        <translation>ein Druck wirkt auf die Menge „%1“, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>a web page, as where a download failed</source>
+        <translation>eine Webseite, wie nach einem fehlgeschlagenen Herunterladen</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>a whole number from 0 on</source>
+        <translation>eine ganze Zahl ab 0</translation>
+    </message>
+    <message>
+        <source>a zip archive</source>
+        <translation>ein Zip-Archiv</translation>
+    </message>
+    <message>
+        <source>an HDF5 file, such as MED or CGNS</source>
+        <translation>eine HDF5-Datei, etwa MED oder CGNS</translation>
+    </message>
+    <message>
+        <source>an Inventor scene</source>
+        <translation>eine Inventor-Szene</translation>
+    </message>
+    <message>
+        <source>an archive of 7-Zip</source>
+        <translation>ein Archiv von 7-Zip</translation>
+    </message>
+    <message>
+        <source>an old VTK file</source>
+        <translation>eine alte VTK-Datei</translation>
+    </message>
+    <message>
+        <source>begins at the byte %1 of the appended data, which have %2</source>
+        <translation>beginnt bei Byte %1 der angehängten Daten, die %2 haben</translation>
+    </message>
+    <message>
+        <source>cell %1 ends at %2 of the connectivity, where it begins at %3 and all end at %4</source>
+        <translation>Zelle %1 endet bei %2 der Konnektivität, wo sie bei %3 beginnt und alle bei %4 enden</translation>
+    </message>
+    <message>
+        <source>element %1</source>
+        <translation>Element %1</translation>
+    </message>
+    <message>
+        <source>element %1 says that it has %2 nodes: numbers start at 1, nodes are up to 1000</source>
+        <translation>Element %1 nennt %2 Knoten: Nummern beginnen bei 1, Knoten sind es bis zu 1000</translation>
+    </message>
+    <message>
+        <source>face %1</source>
+        <translation>Seite %1</translation>
+    </message>
+    <message>
+        <source>has %1 bytes and a block of %2 more, where %3 should be</source>
+        <translation>hat %1 Byte und einen Block von %2 mehr, wo %3 sein sollten</translation>
+    </message>
+    <message>
+        <source>has %1 bytes where %2 should be</source>
+        <translation>hat %1 Byte, wo %2 sein sollten</translation>
+    </message>
+    <message>
+        <source>has a block of %1 packed bytes that should be %2, more than zlib can pack so small</source>
+        <translation>hat einen Block von %1 gepackten Byte, aus denen %2 werden sollen; so klein packt zlib nicht</translation>
+    </message>
+    <message>
+        <source>has a block of %1 packed bytes, but %2 are left</source>
+        <translation>hat einen Block von %1 gepackten Byte, aber %2 sind übrig</translation>
+    </message>
+    <message>
+        <source>has more than the %1 numbers that should be</source>
+        <translation>hat mehr als die %1 Zahlen, die es sein sollten</translation>
+    </message>
+    <message>
+        <source>has not 3 components</source>
+        <translation>hat nicht 3 Komponenten</translation>
+    </message>
+    <message>
+        <source>has the offset &quot;%1&quot;, which is no place in the file</source>
+        <translation>hat den Versatz „%1“, der keine Stelle der Datei ist</translation>
+    </message>
+    <message>
+        <source>holds &quot;%1&quot;, which is no letter of base64</source>
+        <translation>enthält „%1“, das kein Zeichen von Base64 ist</translation>
+    </message>
+    <message>
+        <source>input of Ansys (.cdb)</source>
+        <translation>eine Eingabe von Ansys (.cdb)</translation>
+    </message>
+    <message>
+        <source>members of group &quot;%1&quot; that are no tets or triangles</source>
+        <translation>Mitglieder der Gruppe „%1“, die keine Tetraeder oder Dreiecke sind</translation>
+    </message>
+    <message>
+        <source>node %1</source>
+        <translation>Knoten %1</translation>
+    </message>
+    <message>
+        <source>node %1 has %2 coordinates, not 3</source>
+        <translation>Knoten %1 hat %2 Koordinaten, nicht 3</translation>
+    </message>
+    <message>
+        <source>point %1</source>
+        <translation>Punkt %1</translation>
+    </message>
+    <message>
+        <source>section %1, %2</source>
+        <translation>Abschnitt %1, %2</translation>
+    </message>
+    <message>
+        <source>surface &quot;%1&quot;</source>
+        <translation>Fläche „%1“</translation>
+    </message>
+    <message>
+        <source>the BREP file says that it has %1 %2, more than the %3 bytes behind can hold</source>
+        <translation>die BREP-Datei nennt %1 %2, mehr als die %3 Byte dahinter fassen können</translation>
+    </message>
+    <message>
+        <source>the appended data are neither raw nor in base64</source>
+        <translation>die angehängten Daten sind weder roh noch in Base64</translation>
+    </message>
+    <message>
+        <source>the card &quot;%1&quot; has both columns and commas</source>
+        <translation>die Karte „%1“ hat Spalten und Kommas zugleich</translation>
+    </message>
+    <message>
+        <source>the deck asks for the load set %1, and no card that is read has it</source>
+        <translation>die Eingabedatei verlangt den Lastsatz %1, und keine gelesene Karte hat ihn</translation>
+    </message>
+    <message>
+        <source>the deck asks for the supports %1, and no card that is read has them</source>
+        <translation>die Eingabedatei verlangt die Lager %1, und keine gelesene Karte hat sie</translation>
+    </message>
+    <message>
+        <source>the deck takes in another file by %1 (%2)</source>
+        <translation>die Eingabedatei holt mit %1 eine andere Datei (%2)</translation>
+    </message>
+    <message>
+        <source>the file has no section $Elements</source>
+        <translation>die Datei hat keinen Abschnitt $Elements</translation>
+    </message>
+    <message>
+        <source>the file holds blanks alone</source>
+        <translation>die Datei enthält nur Leerzeichen</translation>
+    </message>
+    <message>
+        <source>the file holds no piece of a grid</source>
+        <translation>die Datei enthält kein Stück eines Gitters</translation>
+    </message>
+    <message>
+        <source>the file is of no format that is read: it does not begin with $MeshFormat, nor as a VTU, Abaqus, Nastran or UNV file does</source>
+        <translation>die Datei hat kein Format, das gelesen wird: sie beginnt weder mit $MeshFormat noch wie eine Datei von VTU, Abaqus, Nastran oder UNV</translation>
+    </message>
+    <message>
+        <source>the file is text in UTF-16</source>
+        <translation>die Datei ist Text in UTF-16</translation>
+    </message>
+    <message>
+        <source>the number of an element</source>
+        <translation>die Nummer eines Elements</translation>
+    </message>
+    <message>
+        <source>the number of elements</source>
+        <translation>die Zahl der Elemente</translation>
+    </message>
+    <message>
+        <source>the number of nodes</source>
+        <translation>die Zahl der Knoten</translation>
+    </message>
+    <message>
+        <source>the number of physical names</source>
+        <translation>die Zahl der physikalischen Namen</translation>
+    </message>
+    <message>
+        <source>this is %1, which is not read</source>
+        <translation>dies ist %1; das wird nicht gelesen</translation>
+    </message>
+    <message>
+        <source>this is no load case: it is empty</source>
+        <translation>dies ist kein Lastfall: die Datei ist leer</translation>
+    </message>
+    <message>
+        <source>this is no load case: it is no text in UTF-8</source>
+        <translation>dies ist kein Lastfall: es ist kein Text in UTF-8</translation>
+    </message>
+    <message>
+        <source>triangle %1 of the file</source>
+        <translation>Dreieck %1 der Datei</translation>
     </message>
 </context>
 <context>
