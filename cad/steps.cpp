@@ -86,7 +86,7 @@ tl::expected<cad_step, std::string> step_of(const ops::operation_description& de
     return because(
       "the operation " + wanted.operation +
       " is a plugin's, which works on meshes: what it does to a CAD model is not known");
-  auto values = ops::complete_parameters(description, wanted.parameters);
+  auto values = ops::complete_parameters(description, wanted.parameters, &before);
   if (!values)
     return because(values.error().message);
   const edit_made edit{before, wanted, report, std::move(*values)};

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <algorithm>
 
+#include "base/number_range.hpp"
 #include "cad/step_makers.hpp"
 #include "ops/combine/combine.hpp"
 #include "ops/emboss/emboss.hpp"
 #include "ops/rib/rib.hpp"
-#include "ops/shapes/outlines/svg_outlines.hpp"
+#include "ops/shapes/outlines/placed_profile.hpp"
 #include "ops/tools/hole.hpp"
 #include "ops/tools/profiles.hpp"
 
@@ -84,24 +85,19 @@ std::vector<std::vector<outline_corner>> outlines_of(const edit_made& edit,
 /// The two that extrude a profile.
 template <step_kind Kind>
 step_or_reason extrusion(const edit_made& edit) {
-  const auto where = ops::placement_of(edit.before, {edit.wanted.surfaces}, edit.values,
-                                       "direction", edit.number("size"));
-  if (!where)
-    return because(where.error().message);
   const double height = edit.number("height");
-  auto size = ops::profile_size(*where, edit.values);
-  if (Kind == step_kind::add)
-    size = std::min(size, 3 * height);
-  const auto shape = ops::profile_or_file(edit.values, size);
-  if (!shape)
-    return because(shape.error().message);
-  const double radius = ops::radius_of(*shape);
-  const auto span = Kind == step_kind::add ? ops::boss_span(edit.before, *where, height, radius)
-                                           : ops::pocket_span(edit.before, *where, height, radius);
+  const auto what = ops::placed_profile_of(edit.before, {edit.wanted.surfaces}, edit.values,
+                                           Kind == step_kind::add ? 3 * height : largest_number);
+  if (!what)
+    return because(what.error().message);
+  const double radius = ops::radius_of(what->shape);
+  const auto span = Kind == step_kind::add
+                      ? ops::boss_span(edit.before, what->where, height, radius)
+                      : ops::pocket_span(edit.before, what->where, height, radius);
   cad_step step;
   step.kind = Kind;
-  place_tool(step.tool, ops::profile_frame(*where, edit.values));
-  step.tool.outlines = outlines_of(edit, *shape);
+  place_tool(step.tool, what->place);
+  step.tool.outlines = outlines_of(edit, what->shape);
   step.tool.from = mm_of_metre * span.from;
   step.tool.to = mm_of_metre * span.to;
   return step;

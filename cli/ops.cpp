@@ -34,6 +34,14 @@ const char* type_name(ops::parameter_type type) {
       return "vector";
     case ops::parameter_type::file:
       return "file";
+    case ops::parameter_type::axis:
+      return "axis";
+    case ops::parameter_type::plane:
+      return "plane";
+    case ops::parameter_type::polyline:
+      return "polyline";
+    case ops::parameter_type::list:
+      return "list";
   }
   return "text";
 }
@@ -76,7 +84,8 @@ std::string describe(const ops::operation_description& d) {
     if (!p.unit.empty())
       text += ", " + p.unit + (p.unit == "m" ? "; or " + p.id + "_mm" : "");
     if (p.min && p.max)
-      text += ", " + pretty(*p.min) + " to " + pretty(*p.max);
+      text += ", " + pretty(*p.min) + " to " + pretty(*p.max) +
+              (p.type == ops::parameter_type::polyline ? " points" : "");
     text += ", default " + to_json(p.default_value).dump() + "): " + p.help + "\n";
   }
   return text;

@@ -29,6 +29,14 @@ v1::Parameter::Type type_to(ops::parameter_type type) {
       return v1::Parameter::VECTOR;
     case ops::parameter_type::file:
       return v1::Parameter::FILE;
+    case ops::parameter_type::axis:
+      return v1::Parameter::AXIS;
+    case ops::parameter_type::plane:
+      return v1::Parameter::PLANE;
+    case ops::parameter_type::polyline:
+      return v1::Parameter::POLYLINE;
+    case ops::parameter_type::list:
+      return v1::Parameter::LIST;
   }
   return v1::Parameter::TYPE_UNSPECIFIED;
 }
@@ -51,6 +59,14 @@ ops::parameter_type type_from(v1::Parameter::Type type) {
       return ops::parameter_type::vector;
     case v1::Parameter::FILE:
       return ops::parameter_type::file;
+    case v1::Parameter::AXIS:
+      return ops::parameter_type::axis;
+    case v1::Parameter::PLANE:
+      return ops::parameter_type::plane;
+    case v1::Parameter::POLYLINE:
+      return ops::parameter_type::polyline;
+    case v1::Parameter::LIST:
+      return ops::parameter_type::list;
     default:
       return ops::parameter_type::text;
   }

@@ -46,7 +46,7 @@ ROOMS = {
     "ops/shapes/isosurface": (("ops/sdk", "mesh", "base"), ("Eigen/",)),
     "ops/shapes/outlines": (("ops/tools", "ops/sdk", "mesh", "base"), ("pugixml",)),
     "ops/shapes/rounding": (("ops/shapes", "ops/sdk", "mesh", "base"), ()),
-    "ops/loader": (("sandbox", "ops/sdk", "mesh", "base"), ("CGAL/",)),
+    "ops/loader": (("sandbox", "ops/tools", "ops/sdk", "mesh", "base"), ("CGAL/",)),
     "ops/tools": (("ops/sdk", "mesh", "base"), ()),
     "ops/mesher": (("sandbox", "ops/sdk", "mesh", "base"), ("tetgen.h", "CGAL/")),
     "ops/boolean": (("ops/mesher", "ops/tools", "ops/sdk", "mesh", "base"), ()),

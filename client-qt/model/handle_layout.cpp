@@ -127,7 +127,7 @@ private:
     const bool is_round = profile == "circle" || profile == "polygon";
     if (is_round && !one.across)
       return add_ring(one, half.along);
-    if (is_round || profile == "file")
+    if (is_round || profile == "file" || profile == "points")
       return;
     const double metres = one.across ? half.across : half.along;
     const vec3 along = one.across ? frame_.y : frame_.x;

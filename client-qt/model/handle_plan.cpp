@@ -100,6 +100,10 @@ handle_plan plan_of(const ops::operation_description& about) {
   }
   const auto* normal = plan.find(kind::direction);
   plan.is_plane = plan.find(kind::place) && normal && normal->parameter == "normal";
+  const auto plane = std::ranges::find(about.parameters, ops::parameter_type::plane,
+                                       &ops::parameter_description::type);
+  if (plan.is_plane && plane != about.parameters.end())
+    plan.plane = plane->id;
   return plan;
 }
 

@@ -41,6 +41,7 @@ struct handle_plan {
   std::vector<handle> all;
   bool is_plane = false;     ///< A place and a normal: the tool is a plane.
   bool has_profile = false;  ///< `profile`, `size`, `width`, `corners` as ops/tools describes them.
+  std::string plane = {};    ///< Stands instead of place and normal: while it is given, no handles.
   bool takes_wall = false;   ///< A place says which wall is meant, too; else picks stay.
 
   [[nodiscard]] const handle* find(handle::kind what) const;

@@ -72,6 +72,8 @@ std::optional<handle_pose> pose_of(const handle_plan& plan, const ops::parameter
                                    const std::vector<surface_id>& picked,
                                    const client::surface_model& part,
                                    const std::array<double, 6>& bounds) {
+  if (!plan.plane.empty() && !text_in(values, plan.plane).empty())
+    return std::nullopt;
   const auto round = round_feature(plan, picked, part);
   auto of_picks = round ? std::optional(wall_spot{round->middle, round->axis}) : std::nullopt;
   if (!round && !picked.empty())

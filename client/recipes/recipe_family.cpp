@@ -159,7 +159,8 @@ private:
   void fill_parameters(const json& operation, json& parameters) {
     const auto of = operation.is_string() ? operation.get<std::string>() : std::string();
     for (const auto& [id, value] : parameters.items())
-      fill(value, is_number(offered_, of, id) ? place::number : place::text, id);
+      fill(value, value.is_array() || is_number(offered_, of, id) ? place::number : place::text,
+           id);
   }
 
   /// Down into lists and objects, whose key is the last one before.

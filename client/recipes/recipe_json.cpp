@@ -248,9 +248,26 @@ private:
         into[id] = text_from(given, name);
       else if (given.is_object() && given.size() == 1 && given.contains("file"))
         into[id] = content_of(text_from(given["file"], name + ": \"file\""), name);
+      else if (given.is_array())
+        into[id] = text_of_list(given, range, name);
       else
-        refuse(name + " must be a number, a text, true or false, or {\"file\": \"PATH\"}");
+        refuse(name + " must be a number, a text, true or false, a list, or {\"file\": \"PATH\"}");
     }
+  }
+
+  /// Numbers, or points as lists of numbers, as the host reads them: "0, 0, 1; 0, 0, 1".
+  static std::string text_of_list(const json& list, const number_range& range, words what,
+                                  bool in_list = false) {
+    std::string text;
+    for (const auto& item : list_from(list, 1, 10'000, what)) {
+      const bool one = !item.is_array() && !item.is_string();
+      text += text.empty() ? "" : one ? ", " : "; ";
+      if (one || in_list)
+        text += json(number_from(item, range, "each of " + what)).dump();
+      else
+        text += item.is_array() ? text_of_list(item, range, what, true) : text_from(item, what);
+    }
+    return text;
   }
 
   /// A file's content goes with the recipe, as a load case in another file does.

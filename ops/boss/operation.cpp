@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "ops/boss/boss.hpp"
-#include "ops/shapes/outlines/svg_outlines.hpp"
+#include "ops/shapes/outlines/placed_profile.hpp"
 
 namespace {
 
@@ -13,11 +13,11 @@ public:
     d.id = "boss";
     d.name = "Boss";
     d.summary = "Adds a round, rectangular, slotted or polygonal boss to a wall.";
-    d.version = "1.1.0";
+    d.version = "1.2.0";
     d.selection.help = "The wall to put it on, or none where a place is given.";
     d.selection.minimum = 0;
     d.selection.maximum = 1;
-    d.parameters = ops::profiles_with_file();
+    d.parameters = ops::placed_profile_parameters();
     d.parameters.insert(d.parameters.begin() + 4, {"height",
                                                    "Height",
                                                    "How far it stands out over the place.",
@@ -48,4 +48,4 @@ public:
 
 }  // namespace
 
-TEDIT_PLUGIN("boss", "1.1.0", boss_operation)
+TEDIT_PLUGIN("boss", "1.2.0", boss_operation)

@@ -62,17 +62,31 @@ std::string version_text(plugin_trial& b) {
   return version;
 }
 
+/// Made of points or ways, in m.
+bool is_place(parameter_type type) {
+  switch (type) {
+    case parameter_type::point:
+    case parameter_type::vector:
+    case parameter_type::axis:
+    case parameter_type::plane:
+    case parameter_type::polyline:
+      return true;
+    default:
+      return false;
+  }
+}
+
 std::string units(plugin_trial& b) {
   b.load();
   static const std::set<std::string> si{
     "m",   "m^2", "m^3", "1/m",   "rad", "s", "1/s", "Hz",  "kg",    "kg/m^3", "N",
     "N/m", "N m", "Pa",  "N/m^3", "J",   "W", "K",   "m/s", "m/s^2", "J/m^3",  "1"};
   for (const auto& p : b.description().parameters) {
-    const bool number = p.type == parameter_type::real || p.type == parameter_type::integer;
-    const bool place = p.type == parameter_type::point || p.type == parameter_type::vector;
+    const bool number = p.type == parameter_type::real || p.type == parameter_type::integer ||
+                        p.type == parameter_type::list;
+    const bool place = is_place(p.type);
     if (place && p.unit != "m")
-      throw failure{"the point or vector " + p.id + " has the unit \"" + p.unit + "\"",
-                    "Give it m"};
+      throw failure{"the place or way " + p.id + " has the unit \"" + p.unit + "\"", "Give it m"};
     if (p.unit.empty() || place || (number && si.contains(p.unit)))
       continue;
     if (!number)
@@ -90,9 +104,14 @@ void judge_range(const parameter_description& p) {
   if ((p.min && !std::isfinite(*p.min)) || (p.max && !std::isfinite(*p.max)))
     throw failure{"the range of parameter " + p.id + " is not finite",
                   "Leave min or max out when there is no limit"};
-  const bool number = p.type == parameter_type::real || p.type == parameter_type::integer;
+  const bool counted = p.type == parameter_type::polyline || p.type == parameter_type::list;
+  const bool number =
+    p.type == parameter_type::real || p.type == parameter_type::integer || counted;
   if (!number && (p.min || p.max))
     throw failure{"parameter " + p.id + " is no number and has a range", "Leave min and max out"};
+  if (p.type == parameter_type::polyline && (p.min.value_or(2) < 2 || p.max.value_or(2) > 10'000))
+    throw failure{"the polyline " + p.id + " may have fewer than 2 or more than 10,000 points",
+                  "min and max say how many points it has"};
   if ((p.type == parameter_type::choice) == p.choices.empty())
     throw failure{p.choices.empty() ? "parameter " + p.id + " is a choice of nothing"
                                     : "parameter " + p.id + " lists choices but is none",

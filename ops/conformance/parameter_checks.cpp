@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "base/attachment.hpp"
+#include "base/number_range.hpp"
 #include "ops/conformance/kit.hpp"
 #include "ops/loader/catalogue.hpp"
 
@@ -40,9 +42,38 @@ void try_value(plugin_trial& b, const std::string& id, const parameter_value& va
   ++answered;
 }
 
+/// So many points (m) around the z axis, as a text.
+std::string helix(double points, double radius) {
+  std::string text;
+  for (int i = 0; i < points; ++i)
+    text += (i > 0 ? "; " : "") + number_text(radius * std::cos(0.7 * i)) + ", " +
+            number_text(radius * std::sin(0.7 * i)) + ", " + number_text(1e-3 * i);
+  return text;
+}
+
+/// Of the kinds that are several numbers in a text, on meshes of some centimetres.
+std::vector<parameter_value> several_numbers(const parameter_description& p) {
+  const std::string least = number_text(p.min.value_or(0));
+  const std::string most = number_text(p.max.value_or(1));
+  switch (p.type) {
+    case parameter_type::axis:
+    case parameter_type::plane:
+      return {std::string("0, 0, 0; 0, 0, 1"), std::string("0.02, 0.02, 0.02; -1, 0, 0"),
+              std::string("0.01, 0.02, 0.03; 1, 2, -3"), std::string("100, 0, 0; 0, 1e-9, 0")};
+    case parameter_type::polyline:
+      return {helix(p.min.value_or(2), 0.01), helix(std::min(p.max.value_or(200), 200.0), 0.02)};
+    case parameter_type::list:
+      return {least, most, least + ", " + most, most + ", " + least + ", " + most};
+    default:
+      return {};
+  }
+}
+
 /// The ends of a parameter's range, or all its values.
 std::vector<parameter_value> limits_of(const parameter_description& p) {
-  std::vector<parameter_value> result;
+  auto result = several_numbers(p);
+  if (!result.empty())
+    return result;
   const auto add = [&](double value) {
     if (p.type == parameter_type::integer)
       result.emplace_back(static_cast<std::int64_t>(value));
@@ -77,6 +108,14 @@ std::string rubbish() {
   return bytes;
 }
 
+/// As many as a list may hold, half of them twice.
+std::string many_numbers() {
+  std::string text;
+  for (int i = 0; i < 10'000; ++i)
+    text += (i > 0 ? ", 0.00" : "0.00") + std::to_string(i / 2);
+  return text;
+}
+
 std::string hostile(plugin_trial& b) {
   b.load();
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -97,6 +136,11 @@ std::string hostile(plugin_trial& b) {
     std::string("\xff\x01\n%n%s"),
     std::string("0, 0, 0"),
     std::string("1e30, -1e30, 1e-30"),
+    std::string("1e30, -1e30, 1e30; 0, 0, 1e-30"),
+    std::string("0, 0, 0; 0.02, 0.02, 0; 0.02, 0, 0; 0, 0.02, 0"),
+    std::string("0, 0, 0; 0.02, 0, 0; 0, 0, 0; 0.02, 0, 0; 0, 0, 0"),
+    std::string("0, 0, 0; 0.01, 0, 0; 0.02, 0, 0; 1e30, 0, 0"),
+    many_numbers(),
     attachment_text({"empty.stl", ""}),
     attachment_text({"rubbish.stl", rubbish()}),
     attachment_text({"no_end.stl", "solid part\nfacet nor"}),

@@ -171,7 +171,7 @@ expected<edit_result> run_operation(const catalogue& plugins, const std::string&
   if (!found)
     return fail(found.error());
   const auto& entry = **found;
-  auto values = complete_parameters(entry.description, given);
+  auto values = complete_parameters(entry.description, given, mesh.get());
   if (!values)
     return fail(values.error());
   if (auto fits = check_selection(entry.description, *mesh, picked); !fits)

@@ -96,10 +96,12 @@ private:
 [[nodiscard]] std::string readable_dl_error(const char* message);
 
 /// Checks types, ranges and names and fills in defaults. Text values are parsed by the parameter's
-/// type; a length may be given in millimetres with the suffix _mm ("depth_mm"). Errors:
-/// `invalid_parameter` naming the parameter, its range, or the nearest name.
+/// type; a length may be given in millimetres with the suffix _mm ("depth_mm"), a place by what the
+/// part has there (`find_pick`), where there is a mesh. Errors: `invalid_parameter` naming the
+/// parameter, its range, or the nearest name; those of `find_pick`.
 [[nodiscard]] expected<parameters> complete_parameters(const operation_description& description,
-                                                       const parameters& values);
+                                                       const parameters& values,
+                                                       const mesh_version* mesh = nullptr);
 
 /// What `operation.hpp` promises of a selection: as many different surfaces as described, each in
 /// the version's table. Errors: `empty_selection`, `invalid_argument`, `surface_not_found`.

@@ -3,11 +3,11 @@
 #include <charconv>
 #include <cmath>
 #include <numeric>
-#include <sstream>
 
 #include "base/attachment.hpp"
 #include "base/number_range.hpp"
 #include "ops/loader/catalogue.hpp"
+#include "ops/loader/number_texts.hpp"
 
 namespace tedit::ops {
 
@@ -17,79 +17,17 @@ number_range range_of(const parameter_description& p) {
   return {p.min.value_or(-largest_number), p.max.value_or(largest_number), p.unit};
 }
 
-tl::unexpected<error> wrong(const parameter_description& p, const std::string& why) {
-  std::string remedy = p.help;
-  if (p.type == parameter_type::integer || p.type == parameter_type::real) {
-    const auto range = range_of(p);
-    remedy =
-      "It takes " + number_text(range.least) + " to " + number_text(range.most) + " " + range.unit;
-  }
-  if (!p.choices.empty()) {
-    remedy = "Choose one of";
-    for (const auto& choice : p.choices)
-      remedy += " " + choice;
-  }
-  return fail(ec::invalid_parameter, "parameter " + p.id + ": " + why, remedy);
-}
-
-/// The shortest text that reads back as the same number.
-std::string shortest_text(double value) {
-  std::array<char, 32> text{};
-  const auto [end, code] = std::to_chars(text.data(), text.data() + text.size(), value);
-  return {text.data(), end};
-}
-
 template <class T>
 bool parse_number(const std::string& text, T& value) {
   const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
   return code == std::errc{} && end == text.data() + text.size();
 }
 
-bool is_vector(const parameter_description& p) {
-  return p.type == parameter_type::point || p.type == parameter_type::direction ||
-         p.type == parameter_type::vector;
-}
-
-/// Three numbers with commas or blanks between; exactly those.
-std::optional<vec3> parse_vector(std::string text) {
-  std::ranges::replace(text, ',', ' ');
-  std::istringstream in(text);
-  std::array<std::string, 3> words;
-  std::string more;
-  vec3 v;
-  if (!(in >> words[0] >> words[1] >> words[2]) || in >> more || !parse_number(words[0], v.x) ||
-      !parse_number(words[1], v.y) || !parse_number(words[2], v.z))
-    return std::nullopt;
-  return v;
-}
-
-std::string vector_text(vec3 v) {
-  return shortest_text(v.x) + ", " + shortest_text(v.y) + ", " + shortest_text(v.z);
-}
-
-/// A point or a direction in the one way to write it; empty where the operation may find it.
-expected<parameter_value> typed_vector(const parameter_description& p, const parameter_value& given,
-                                       double scale = 1) {
-  const auto* text = std::get_if<std::string>(&given);
-  if (text && text->find_first_not_of(' ') == std::string::npos &&
-      p.default_value == parameter_value(std::string{}))
-    return parameter_value(std::string{});
-  const auto v = text ? parse_vector(*text) : std::nullopt;
-  if (!v)
-    return wrong(p, "it is three numbers, as \"1, 2.5, 0\"");
-  for (const double x : {v->x, v->y, v->z})
-    if (!std::isfinite(x) || std::abs(x) > largest_number)
-      return wrong(p, "it is not three finite numbers");
-  if (p.type == parameter_type::direction && norm(*v) == 0)
-    return wrong(p, "a direction is not 0, 0, 0");
-  return parameter_value(vector_text(scale * *v));
-}
-
 /// The content of a file, or nothing where that is the default.
 expected<parameter_value> typed_file(const parameter_description& p, const parameter_value& given) {
   const auto* text = std::get_if<std::string>(&given);
   if (!text)
-    return wrong(p, "it is the content of a file");
+    return wrong_value(p, "it is the content of a file");
   if (text->empty() && p.default_value == parameter_value(std::string{}))
     return given;
   if (const auto file = read_attachment(*text); !file)
@@ -99,7 +37,8 @@ expected<parameter_value> typed_file(const parameter_description& p, const param
 }
 
 /// A value given as text takes the parameter's type.
-expected<parameter_value> typed(const parameter_description& p, const parameter_value& given) {
+expected<parameter_value> typed(const parameter_description& p, const parameter_value& given,
+                                const mesh_version* mesh) {
   const auto* text = std::get_if<std::string>(&given);
   switch (p.type) {
     case parameter_type::boolean:
@@ -109,7 +48,7 @@ expected<parameter_value> typed(const parameter_description& p, const parameter_
         return parameter_value(true);
       if (text && (*text == "false" || *text == "no" || *text == "0"))
         return parameter_value(false);
-      return wrong(p, "it is true or false");
+      return wrong_value(p, "it is true or false");
     case parameter_type::integer: {
       std::int64_t value = 0;
       if (const auto* whole = std::get_if<std::int64_t>(&given))
@@ -119,7 +58,7 @@ expected<parameter_value> typed(const parameter_description& p, const parameter_
         return parameter_value(static_cast<std::int64_t>(*real));
       if (text && parse_number(*text, value))
         return parameter_value(value);
-      return wrong(p, "it is a whole number");
+      return wrong_value(p, "it is a whole number");
     }
     case parameter_type::real: {
       double value = 0;
@@ -129,27 +68,31 @@ expected<parameter_value> typed(const parameter_description& p, const parameter_
         return given;
       if (text && parse_number(*text, value))
         return parameter_value(value);
-      return wrong(p, "it is a number");
+      return wrong_value(p, "it is a number");
     }
     case parameter_type::text:
     case parameter_type::choice:
       if (text)
         return given;
-      return wrong(p, "it is a text");
+      return wrong_value(p, "it is a text");
     case parameter_type::point:
     case parameter_type::direction:
     case parameter_type::vector:
-      return typed_vector(p, given);
+    case parameter_type::axis:
+    case parameter_type::plane:
+    case parameter_type::polyline:
+    case parameter_type::list:
+      return typed_numbers(p, given, mesh);
     case parameter_type::file:
       return typed_file(p, given);
   }
-  return wrong(p, "its type is unknown");
+  return wrong_value(p, "its type is unknown");
 }
 
 expected<void> check_range(const parameter_description& p, const parameter_value& value) {
   if (p.type == parameter_type::choice &&
       std::ranges::find(p.choices, std::get<std::string>(value)) == p.choices.end())
-    return wrong(p, "\"" + std::get<std::string>(value) + "\" is no choice");
+    return wrong_value(p, "\"" + std::get<std::string>(value) + "\" is no choice");
   double real = 0;
   if (const auto* whole = std::get_if<std::int64_t>(&value))
     real = static_cast<double>(*whole);
@@ -158,29 +101,29 @@ expected<void> check_range(const parameter_description& p, const parameter_value
   else
     return {};
   if (!std::isfinite(real))
-    return wrong(p, "it is not a finite number");
+    return wrong_value(p, "it is not a finite number");
   if (const auto range = range_of(p); real < range.least || real > range.most)
-    return wrong(p, number_text(real) + " is out of range");
+    return wrong_value(p, number_text(real) + " is out of range");
   return {};
 }
 
 /// The given values by parameter id: "depth_mm" is "depth" in millimetres for a parameter in
 /// metres.
-expected<parameters> in_metres(const operation_description& description, const parameters& given) {
+expected<parameters> in_metres(const operation_description& description, const parameters& given,
+                               const mesh_version* mesh) {
   parameters result = given;
   for (const auto& p : description.parameters) {
     const auto found = result.find(p.id + "_mm");
-    const bool length = p.type == parameter_type::real || p.type == parameter_type::point ||
-                        p.type == parameter_type::vector;
-    if (p.unit != "m" || !length || found == result.end())
+    if (!has_lengths(p) || found == result.end())
       continue;
     if (result.contains(p.id))
-      return wrong(p, "it is given twice, in m and in mm");
+      return wrong_value(p, "it is given twice, in m and in mm");
+    const bool text = is_number_text(p.type);
     const auto value =
-      is_vector(p) ? typed_vector(p, found->second, 1e-3) : typed(p, found->second);
+      text ? typed_numbers(p, found->second, mesh, 1e-3) : typed(p, found->second, mesh);
     if (!value)
       return fail(value.error());
-    result[p.id] = is_vector(p) ? *value : parameter_value(1e-3 * std::get<double>(*value));
+    result[p.id] = text ? *value : parameter_value(1e-3 * std::get<double>(*value));
     result.erase(p.id + "_mm");
   }
   return result;
@@ -220,8 +163,8 @@ std::string nearest_name(const std::string& name, const std::vector<std::string>
 }
 
 expected<parameters> complete_parameters(const operation_description& description,
-                                         const parameters& values) {
-  const auto metric = in_metres(description, values);
+                                         const parameters& values, const mesh_version* mesh) {
+  const auto metric = in_metres(description, values, mesh);
   if (!metric)
     return fail(metric.error());
   const auto& given = *metric;
@@ -230,7 +173,8 @@ expected<parameters> complete_parameters(const operation_description& descriptio
   for (const auto& p : description.parameters) {
     names.push_back(p.id);
     const auto found = given.find(p.id);
-    auto value = typed(p, found == given.end() ? default_of(p, description, given) : found->second);
+    auto value =
+      typed(p, found == given.end() ? default_of(p, description, given) : found->second, mesh);
     if (!value)
       return fail(value.error());
     if (auto ok = check_range(p, *value); !ok)

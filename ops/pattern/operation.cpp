@@ -71,6 +71,45 @@ std::vector<ops::parameter_description> pattern_parameters() {
      2 * std::numbers::pi,
      {},
      2 * std::numbers::pi},
+    {"axis",
+     "Axis",
+     "Ring: a point of the axis and its direction, or what of the part has them: instead of place "
+     "and direction.",
+     parameter_type::axis,
+     "m",
+     {},
+     {},
+     {},
+     std::string()},
+    {"plane",
+     "Plane",
+     "Mirror: a point of the plane and its normal, or what of the part has them: instead of place "
+     "and direction.",
+     parameter_type::plane,
+     "m",
+     {},
+     {},
+     {},
+     std::string()},
+    {"distances",
+     "Distances",
+     "Rows: how far each copy is from the one that is there, the way that the step goes: instead "
+     "of the count.",
+     parameter_type::list,
+     "m",
+     -10.0,
+     10.0,
+     {},
+     std::string()},
+    {"angles",
+     "Angles",
+     "Ring: where each copy is, from the one that is there on: instead of count and angle.",
+     parameter_type::list,
+     "rad",
+     -2 * std::numbers::pi,
+     2 * std::numbers::pi,
+     {},
+     std::string()},
   };
   return list;
 }
@@ -82,14 +121,17 @@ public:
     d.id = "pattern";
     d.name = "Pattern";
     d.summary = "Repeats a hole, pocket, boss or rib in rows, around an axis, or mirrored.";
-    d.version = "1.0.0";
+    d.version = "1.1.0";
     d.selection.help = "A wall of each hole, or a side of each boss.";
     d.parameters = pattern_parameters();
     d.icon = ops::line_icon(
       R"(<circle cx="6" cy="7" r="2.6"/><circle cx="17" cy="7" r="2.6"/><circle cx="6" cy="17" r="2.6"/><circle cx="17" cy="17" r="2.6"/>)");
     d.guide =
       "Pick one wall: the rest of the hole or boss is found. The one that is there counts: a count "
-      "of 4 adds three. A through hole goes through everywhere. Where one of the copies cannot be, "
+      "of 4 adds three. Where they are not evenly apart, give distances or angles: one for each "
+      "copy. "
+      "The axis of a ring may be a round wall's, a mirror's plane a flat wall's. A through hole "
+      "goes through everywhere. Where one of the copies cannot be, "
       "none is made, and the answer names it.";
     d.rank = 9;
     return d;
@@ -107,4 +149,4 @@ public:
 
 }  // namespace
 
-TEDIT_PLUGIN("pattern", "1.0.0", pattern_operation)
+TEDIT_PLUGIN("pattern", "1.1.0", pattern_operation)

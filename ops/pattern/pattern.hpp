@@ -14,14 +14,28 @@ struct grid_pattern {
   vec3 row_step;  ///< m.
 };
 
+/// Copies at distances of their own.
+struct uneven_pattern {
+  std::vector<double> distances;  ///< m, from the one that is there, along `step`.
+  vec3 step;                      ///< Only which way it goes counts.
+  int rows = 1;
+  vec3 row_step;  ///< m.
+};
+
 /// The motions of the copies, without that of the original. Errors: `invalid_parameter` where two
 /// would lie in the same place, or there is none.
 [[nodiscard]] expected<std::vector<motion>> grid_motions(const grid_pattern& grid);
+
+[[nodiscard]] expected<std::vector<motion>> uneven_motions(const uneven_pattern& rows);
 
 /// `count` in all around an axis (a point and a unit direction): evenly over the whole turn, or
 /// from 0 to `angle` (rad) where that is less. Errors: as above.
 [[nodiscard]] expected<std::vector<motion>> ring_motions(vec3 point, vec3 axis, int count,
                                                          double angle);
+
+/// One at each of these angles (rad) from the one that is there. Errors: as above.
+[[nodiscard]] expected<std::vector<motion>> angle_motions(vec3 point, vec3 axis,
+                                                          const std::vector<double>& angles);
 
 /// Those that the parameters of the operation ask for. Errors: as above.
 [[nodiscard]] expected<std::vector<motion>> pattern_motions(const parameters& values);

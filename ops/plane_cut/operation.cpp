@@ -12,7 +12,7 @@ public:
     d.id = "plane_cut";
     d.name = "Cut by a plane";
     d.summary = "Cuts the part along a plane and keeps one side, or both as bodies of their own.";
-    d.version = "1.1.0";
+    d.version = "1.2.0";
     d.selection.help = "A flat wall to cut along, or none where the plane is given.";
     d.selection.minimum = 0;
     d.selection.maximum = 1;
@@ -38,12 +38,22 @@ public:
        {},
        {"below", "above", "both"},
        std::string("below")},
+      {"plane",
+       "Plane",
+       "A point of the plane and its normal, or what of the part has them: instead of place and "
+       "normal.",
+       ops::parameter_type::plane,
+       "m",
+       {},
+       {},
+       {},
+       std::string()},
     };
     d.icon = ops::line_icon(
       R"(<path d="M4 20 V11 L20 5 V20 Z"/><path d="M2 12 L22 4" stroke-dasharray="2 2.4"/>)");
     d.guide =
       "Select a wall and give an offset to cut a slice off, or give any plane by a point and its "
-      "normal. The cut is a surface of its own.";
+      "normal, or by a wall or a round edge that lies in it. The cut is a surface of its own.";
     d.rank = 10;
     return d;
   }
@@ -65,4 +75,4 @@ public:
 
 }  // namespace
 
-TEDIT_PLUGIN("plane_cut", "1.1.0", plane_cut_operation)
+TEDIT_PLUGIN("plane_cut", "1.2.0", plane_cut_operation)

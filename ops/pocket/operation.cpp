@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "ops/pocket/pocket.hpp"
-#include "ops/shapes/outlines/svg_outlines.hpp"
+#include "ops/shapes/outlines/placed_profile.hpp"
 
 namespace {
 
@@ -13,11 +13,11 @@ public:
     d.id = "pocket";
     d.name = "Pocket";
     d.summary = "Cuts a round, rectangular, slotted or polygonal pocket into a wall.";
-    d.version = "1.1.0";
+    d.version = "1.2.0";
     d.selection.help = "The wall to cut into, or none where a place is given.";
     d.selection.minimum = 0;
     d.selection.maximum = 1;
-    d.parameters = ops::profiles_with_file();
+    d.parameters = ops::placed_profile_parameters();
     d.parameters.insert(d.parameters.begin() + 4, {"height",
                                                    "Depth",
                                                    "How deep it goes; 0 goes through all there is.",
@@ -48,4 +48,4 @@ public:
 
 }  // namespace
 
-TEDIT_PLUGIN("pocket", "1.1.0", pocket_operation)
+TEDIT_PLUGIN("pocket", "1.2.0", pocket_operation)

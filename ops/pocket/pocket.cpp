@@ -1,29 +1,25 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "ops/pocket/pocket.hpp"
 
-#include "ops/shapes/outlines/svg_outlines.hpp"
+#include "base/number_range.hpp"
+#include "ops/shapes/outlines/placed_profile.hpp"
 
 namespace tedit::ops {
 
 expected<edit_result> cut_pocket(const version_ptr& mesh, const selection& picked,
                                  const parameters& values, context& ctx) {
-  const auto where =
-    placement_of(*mesh, picked, values, "direction", std::get<double>(values.at("size")));
-  if (!where)
-    return fail(where.error());
-  const double size = profile_size(*where, values);
-  const auto shape = profile_or_file(values, size);
-  if (!shape)
-    return fail(shape.error());
-  const auto span =
-    pocket_span(*mesh, *where, std::get<double>(values.at("height")), radius_of(*shape));
-  if (auto ok = check_fineness(*where, size, span.to - span.from + 2 * radius_of(*shape)); !ok)
+  const auto what = placed_profile_of(*mesh, picked, values, largest_number);
+  if (!what)
+    return fail(what.error());
+  const double radius = radius_of(what->shape);
+  const auto span = pocket_span(*mesh, what->where, std::get<double>(values.at("height")), radius);
+  if (auto ok = check_fineness(what->where, what->size, span.to - span.from + 2 * radius); !ok)
     return fail(ok.error());
   const auto tool =
-    extrude(profile_frame(*where, values), *shape, span.from, span.to, size, "pocket", *ctx.host);
+    extrude(what->place, what->shape, span.from, span.to, what->size, "pocket", *ctx.host);
   if (!tool)
     return fail(tool.error());
-  return apply_tool(mesh, *tool, boolean_mode::cut, where->size, as_set(picked), ctx);
+  return apply_tool(mesh, *tool, boolean_mode::cut, what->where.size, as_set(picked), ctx);
 }
 
 }  // namespace tedit::ops

@@ -8,7 +8,6 @@
 #endif
 
 #include <array>
-#include <charconv>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -25,6 +24,7 @@
 #include "mesh/layout.hpp"
 #include "mesh/optimize/improvement.hpp"
 #include "mesh/version.hpp"
+#include "ops/sdk/description.hpp"
 
 /// The SDK: what a plugin author includes, and all that a plugin's file depends on. An operation is
 /// a pure function from a mesh version, a selection and parameters to a candidate version. No
@@ -47,76 +47,6 @@
 ///     TEDIT_PLUGIN("lift", "1.0.0", lift)
 namespace tedit::ops {
 
-// -- describing an operation ---------------------------------------------------
-
-/// What a parameter holds; choice is one of the texts in `choices`.
-/// A point and a direction are three numbers in the axes of the part, as the text "1, 2.5, 0";
-/// empty where the operation finds one by itself. A point is in m. A vector is a way in m: unlike a
-/// point it is no place, so that a click on the part does not give it. A file is its content
-/// (`base/attachment.hpp`), never a path.
-enum class parameter_type {
-  boolean,
-  integer,
-  real,
-  text,
-  choice,
-  point,
-  direction,
-  vector,  ///< Since SDK 7.3, as is `file`.
-  file
-};
-
-/// By type: bool, std::int64_t, double; std::string for all others.
-using parameter_value = std::variant<bool, std::int64_t, double, std::string>;
-
-/// One parameter as data: the source of the form, the CLI's help, the protocol's catalogue and
-/// the docs, and of the validation before `apply` is called.
-struct parameter_description {
-  std::string id;    ///< snake_case, stable.
-  std::string name;  ///< For people: "Include the entry".
-  std::string help;  ///< One or two sentences.
-  parameter_type type = parameter_type::real;
-  std::string unit;           ///< SI, for example "m"; empty when dimensionless.
-  std::optional<double> min;  ///< Inclusive; for integer and real.
-  std::optional<double> max;
-  std::vector<std::string> choices;  ///< For choice.
-  parameter_value default_value = false;
-  /// Id of a number that this one stands in for: where a request gives this one and not that one,
-  /// that one is 0 instead of its default.
-  std::string instead_of = {};
-};
-
-/// What a person picks before the operation can run.
-struct selection_description {
-  std::string help;         ///< "The wall surfaces of one or more holes".
-  std::size_t minimum = 1;  ///< Surfaces.
-  std::size_t maximum = 0;  ///< 0: any number.
-};
-
-/// What people and programs see of an operation. Example: ops/fill_hole/operation.cpp.
-struct operation_description {
-  std::string id;       ///< snake_case, unique among all plugins.
-  std::string name;     ///< "Fill hole".
-  std::string summary;  ///< One sentence.
-  std::string version;  ///< The operation's own, semantic.
-  selection_description selection;
-  std::vector<parameter_description> parameters;
-  // How a window shows it, beside all of the above; each may be left out.
-  std::string icon = {};   ///< SVG, 24 by 24, drawn in #000: the window puts its own colour there.
-  std::string guide = {};  ///< For people: when to use it and what it cannot do. Markdown.
-  int rank = 0;            ///< Among what fits a selection: the larger, the earlier it is offered.
-  std::string best_for = {};  ///< "hole" or "protrusion": offered first where one was picked.
-};
-
-/// An icon of lines like those of this program's own, from the elements of an SVG: "<path d=.../>".
-[[nodiscard]] inline std::string line_icon(const std::string& elements) {
-  return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"24\" height=\"24\" viewBox=\"0 0 24 "
-         "24\" "
-         "fill=\"none\" stroke=\"#000\" stroke-width=\"1.6\" stroke-linecap=\"round\" "
-         "stroke-linejoin=\"round\">" +
-         elements + "</svg>";
-}
-
 // -- applying it ----------------------------------------------------------------
 
 /// What a person picked: a set, its order means nothing. The host has checked that the surfaces are
@@ -131,29 +61,6 @@ struct selection {
 [[nodiscard]] inline std::vector<surface_id> as_set(const selection& picked) {
   const std::set<surface_id> ids(picked.surfaces.begin(), picked.surfaces.end());
   return {ids.begin(), ids.end()};
-}
-
-/// Values by parameter id. The host fills in defaults and has checked types and ranges:
-/// `std::get<double>(values.at("distance"))` needs no test.
-using parameters = std::map<std::string, parameter_value>;
-
-/// The three numbers of a point, a direction or a vector; nothing where it was left to the
-/// operation. The host has checked that they are finite, and those of a direction not all 0.
-[[nodiscard]] inline std::optional<vec3> vector_of(const parameters& values,
-                                                   const std::string& id) {
-  const auto& text = std::get<std::string>(values.at(id));
-  std::array<double, 3> v{};
-  const char* at = text.data();
-  const char* const end = at + text.size();
-  for (auto& number : v) {
-    while (at != end && (*at == ' ' || *at == ','))
-      ++at;
-    const auto [next, code] = std::from_chars(at, end, number);
-    if (code != std::errc{})
-      return std::nullopt;
-    at = next;
-  }
-  return vec3{v[0], v[1], v[2]};
 }
 
 /// A closed triangulated surface to fill with tets, and what came out.
@@ -329,7 +236,7 @@ inline constexpr std::uint32_t plugin_magic = 0x54454450;  // "TEDP"
 /// member, `services` a function or `parameter_type` a kind, each at its end. No number of a
 /// release of the program is in a plugin: a patch release changes neither.
 inline constexpr std::uint32_t sdk_major = 7;
-inline constexpr std::uint32_t sdk_minor = 3;
+inline constexpr std::uint32_t sdk_minor = 4;
 
 #define TEDIT_TEXT_OF(x) #x
 #define TEDIT_TEXT(x) TEDIT_TEXT_OF(x)
@@ -414,6 +321,7 @@ inline void add_description(std::vector<layout_fact>& facts) {
   facts.push_back(last("parameter_type", parameter_type::choice));
   facts.push_back(last("parameter_type since 7.1", parameter_type::direction));
   facts.push_back(last("parameter_type since 7.3", parameter_type::file));
+  facts.push_back(last("parameter_type since 7.4", parameter_type::list));
 }
 
 inline void add_edit(std::vector<layout_fact>& facts) {

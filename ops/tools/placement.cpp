@@ -66,6 +66,12 @@ expected<placement> placement_of(const mesh_version& mesh, const selection& pick
                                  double reach) {
   placement result;
   const auto at = vector_of(values, "at");
+  const auto plane = values.contains("plane") ? axis_of(values, "plane") : std::nullopt;
+  if (plane && (at || vector_of(values, direction)))
+    return fail(ec::invalid_parameter, "a plane is given, and a place or a direction beside it",
+                "Give the plane alone, or the place and the direction");
+  if (plane)
+    return placement{plane->point, plane->direction, local_size(mesh, around(plane->point, reach))};
   if (!at && picked.surfaces.empty())
     return fail(ec::empty_selection, "neither a place nor a wall was given",
                 "Select the wall, or give the place: at_mm=10,20,5");

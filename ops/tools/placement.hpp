@@ -14,8 +14,9 @@ struct placement {
 };
 
 /// The parameters "at" (a point) and `direction` as they were given; without them the middle of the
-/// selected wall and its normal. `reach` (m): how far around the mesh matters. Errors:
-/// `empty_selection` where there is neither a point nor a wall.
+/// selected wall and its normal. Where an operation has the parameter "plane", that is both, if it
+/// is given. `reach` (m): how far around the mesh matters. Errors: `empty_selection` where there is
+/// neither a point nor a wall, `invalid_parameter` where a plane and one of the others are given.
 [[nodiscard]] expected<placement> placement_of(const mesh_version& mesh, const selection& picked,
                                                const parameters& values,
                                                const std::string& direction, double reach);

@@ -5,7 +5,7 @@ namespace tedit::ops {
 
 std::vector<parameter_description> profile_parameters() {
   using enum parameter_type;
-  std::vector<parameter_description> list{
+  std::vector<parameter_description> all{
     {"profile",
      "Profile",
      "What it looks like from above.",
@@ -36,7 +36,7 @@ std::vector<parameter_description> profile_parameters() {
     {"corners", "Corners", "Of a polygon.", integer, "", 3.0, 64.0, {}, std::int64_t{6}},
     direction_parameter("along", "Along", "Which way the length goes. Empty: by the part's axes."),
   };
-  return list;
+  return all;
 }
 
 }  // namespace tedit::ops

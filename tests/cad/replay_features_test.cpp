@@ -117,6 +117,22 @@ TEST_F(ReplayFeatures, OutlinesInEachOtherAreRingsAndIslands) {
   }
 }
 
+/// The corners (2, 2), (8, 2), (2, 14) mm, 2 mm deep; a plane at 12 mm.
+TEST_F(ReplayFeatures, AnOutlineAndAPlaneAreMadeOnTheModel) {
+  const auto corners = std::string("0.002,0.002,0.03; 0.008,0.002,0.03; 0.002,0.014,0.03");
+  const auto pocket = same({"pocket",
+                            {},
+                            {{"profile", std::string("points")},
+                             {"points", corners},
+                             {"direction", std::string("0,0,1")},
+                             {"height", 0.002}},
+                            {}});
+  const auto cut = same({"plane_cut", {}, {{"plane", std::string("0, 0, 0.012; 0, 0, 1")}}, {}});
+
+  EXPECT_NEAR(volume_of(pocket.model), box_mm3 - 0.5 * 6 * 12 * 2, 1e-7);
+  EXPECT_NEAR(volume_of(cut.model), 10 * 20 * 12, 1e-7);
+}
+
 /// A step of 4 mm on the box, and a triangle of 3 x 3 mm, 1 mm thick, in its corner.
 TEST_F(ReplayFeatures, ARibStandsInACorner) {
   const auto step = same(combination("add", box_obj({0, 0, 30}, {10, 8, 34})));

@@ -48,7 +48,8 @@ std::string family_refusal(const std::string& recipe, const std::string& table) 
 TEST(RecipeFamily, CellsBecomeTextsAndNumbersByTheirPlace) {
   const auto made = family(
     R"([{"edit": {"operation": "stamp", "surfaces": [3, "{{wall}}"],
-                  "parameters": {"text": "{{no}}", "lines": "{{no}}", "depth_mm": "{{d}}"}}},
+                  "parameters": {"text": "{{no}}", "lines": "{{no}}", "depth_mm": "{{d}}",
+                                 "at_mm": ["{{d}}", 0, "{{wall}}"]}}},
         {"load_case": {"name": "{{no}}",
           "materials": [{"young_modulus_pa": 2e11, "poisson_ratio": 0.3}],
           "constraints": [{"surfaces": ["{{wall}}"], "fixed": {}}],
@@ -64,6 +65,7 @@ TEST(RecipeFamily, CellsBecomeTextsAndNumbersByTheirPlace) {
   EXPECT_EQ(std::get<std::string>(edit.parameters.at("text")), "007");
   EXPECT_EQ(std::get<std::int64_t>(edit.parameters.at("lines")), 7);
   EXPECT_EQ(std::get<double>(edit.parameters.at("depth_mm")), -1.5);
+  EXPECT_EQ(std::get<std::string>(edit.parameters.at("at_mm")), "-1.5, 0, 12");
   const auto loads = std::get<load_case_step>(first->steps[1]).loads;
   EXPECT_EQ(loads.name, "007");
   EXPECT_EQ(loads.constraints[0].surfaces, std::vector<surface_id>{12});

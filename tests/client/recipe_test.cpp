@@ -93,6 +93,21 @@ TEST(RecipeReader, AnApplyStepIsAnEditOfTheSelection) {
             recipe_step(apply_step{request}));
 }
 
+TEST(RecipeReader, ListsOfNumbersAndOfPointsAreTextsOfThem) {
+  const auto value = [](const std::string& list) {
+    const auto read = recipe_from_json(
+      R"([{"edit": {"operation": "pattern", "parameters": {"a": )" + list + "}}}]", {});
+    EXPECT_TRUE(read) << list << ": " << render(read.error());
+    return std::get<std::string>(
+      std::get<edit_step>(read->steps.front()).request.parameters.at("a"));
+  };
+
+  EXPECT_EQ(value("[1, -2.5, 1e-3]"), "1, -2.5, 0.001");
+  EXPECT_EQ(value("[[0, 0, 1.5], [0, 0, 1]]"), "0, 0, 1.5; 0, 0, 1");
+  EXPECT_EQ(value("[[10, 20, 30]]"), "10, 20, 30");
+  EXPECT_EQ(value("[0.1]"), "0.1");
+}
+
 TEST(RecipeReader, AFileOfAParameterIsReadWithTheRecipe) {
   const test::scratch_folder folder;
   std::ofstream(folder.path() / "knob.stl") << "foobar";
@@ -109,7 +124,7 @@ TEST(RecipeReader, AFileOfAParameterIsReadWithTheRecipe) {
             (ops::parameters{{"file", std::string("data:knob.stl;base64,Zm9vYmFy")}}));
   EXPECT_THAT(read(R"({"file": "none.stl"})").error().message, HasSubstr("is not there"));
   for (const auto* wrong :
-       {R"({"path": "knob.stl"})", R"({"file": 3})", "[1]", R"({"file": "knob.stl", "more": 1})"})
+       {R"({"path": "knob.stl"})", R"({"file": 3})", "[]", R"({"file": "knob.stl", "more": 1})"})
     EXPECT_FALSE(read(wrong)) << wrong;
 }
 
@@ -198,7 +213,10 @@ TEST(RecipeReader, AnotherTypeIsAnErrorAndNotNothing) {
     {R"({"edit": {"operation": "erode", "surfaces": 7}})", "\"surfaces\" must be a list"},
     {R"({"edit": {"operation": "erode", "surfaces": [7.5]}})", "must be a whole number"},
     {R"({"edit": {"operation": "erode", "parameters": [1]}})", "\"parameters\" must be"},
-    {R"({"edit": {"operation": "erode", "parameters": {"a": [1]}}})", "parameter \"a\""},
+    {R"({"edit": {"operation": "erode", "parameters": {"a": [true]}}})", "parameter \"a\""},
+    {R"({"edit": {"operation": "erode", "parameters": {"a": [[[1]]]}}})", "parameter \"a\""},
+    {R"({"edit": {"operation": "erode", "parameters": {"a": [1e999]}}})", "parameter \"a\""},
+    {R"({"edit": {"operation": "erode", "parameters": {"a": null}}})", "a list, or"},
     {R"({"edit": {"operation": "erode", "keep_traction": 1}})", "must be true or false"},
     {R"({"go_to": -1})", "step 2 (go_to): \"go_to\" must be the number of a version"},
     {R"({"go_to": 4294967296})", "must be the number of a version"},

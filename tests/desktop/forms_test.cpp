@@ -9,8 +9,10 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QScrollBar>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <QtTest/QtTest>
 
@@ -199,6 +201,87 @@ TEST(OperationForm, AVectorIsTypedAndNoClickGivesIt) {
 
   EXPECT_LT(norm(*ops::vector_of(form.values(), "by") - vec3{0.01, 0, -0.005}), 1e-12);
   EXPECT_FALSE(form.has_place());
+}
+
+ops::operation_description with_several(ops::parameter_type type, const char* unit) {
+  ops::operation_description about;
+  about.id = "several";
+  about.parameters = {{"x", "X", "", type, unit, {}, {}, {}, std::string()}};
+  return about;
+}
+
+TEST(OperationForm, AnAxisIsAPointAndADirectionInFieldsOfTheirOwn) {
+  for (const auto type : {ops::parameter_type::axis, ops::parameter_type::plane}) {
+    operation_form form(with_several(type, "m"));
+    const auto fields = form.findChild<QWidget*>("x")->findChildren<QLineEdit*>();
+    ASSERT_EQ(fields.size(), 2);
+    const auto value = [&] { return std::get<std::string>(form.values().at("x")); };
+    EXPECT_EQ(value(), "");
+
+    fields[0]->setText("10; 1 cm; 1/4 in");
+    fields[1]->setText("0 0 2");
+
+    EXPECT_EQ(value(), "0.01, 0.01, 0.00635; 0, 0, 2");
+    form.set_values({{"x", std::string("0.001, 0, -0.5; 1, 0, 0.5")}});
+    const bool comma = QLocale().decimalPoint() == ",";
+    EXPECT_EQ(fields[0]->text(), "1; 0; -500");
+    EXPECT_EQ(fields[1]->text(), comma ? "1; 0; 0,5" : "1; 0; 0.5");
+    EXPECT_EQ(value(), "0.001, 0, -0.5; 1, 0, 0.5");
+  }
+}
+
+TEST(OperationForm, WhatIsPickedGoesIntoTheFieldWhoseButtonIsDown) {
+  auto about = with_several(ops::parameter_type::axis, "m");
+  about.parameters.push_back(
+    {"path", "Path", "", ops::parameter_type::polyline, "m", {}, {}, {}, std::string()});
+  operation_form form(about);
+  auto* axis = form.findChild<QWidget*>("x")->findChild<QToolButton*>();
+  auto* path = form.findChild<QWidget*>("path")->findChild<QToolButton*>();
+  EXPECT_FALSE(form.picks());
+
+  axis->click();
+  EXPECT_TRUE(form.picks());
+  path->click();
+  EXPECT_FALSE(axis->isChecked()) << "one at a time";
+  form.take_pick("edge:3,7");
+
+  EXPECT_FALSE(form.picks());
+  EXPECT_EQ(std::get<std::string>(form.values().at("path")), "edge:3,7");
+  EXPECT_EQ(std::get<std::string>(form.values().at("x")), "");
+  axis->click();
+  form.take_pick("surface:12");
+  EXPECT_EQ(std::get<std::string>(form.values().at("x")), "surface:12");
+  form.take_pick("surface:13");  // Meant for none.
+  EXPECT_EQ(std::get<std::string>(form.values().at("x")), "surface:12");
+}
+
+TEST(OperationForm, APolylineIsALineForEachPoint) {
+  operation_form form(with_several(ops::parameter_type::polyline, "m"));
+  auto* field = form.findChild<QWidget*>("x")->findChild<QPlainTextEdit*>();
+  ASSERT_NE(field, nullptr);
+
+  field->setPlainText("0; 0; 0\n\n10 0 0\n1 cm, 20, 0\n");
+
+  EXPECT_EQ(std::get<std::string>(form.values().at("x")), "0, 0, 0; 0.01, 0, 0; 0.01, 0.02, 0");
+  form.set_values({{"x", std::string("0, 0, 0; 0.25, 1, 2")}});
+  EXPECT_EQ(field->toPlainText(), "0; 0; 0\n250; 1000; 2000");
+}
+
+TEST(OperationForm, AListIsNumbersInTheUnitThatIsShown) {
+  operation_form form(with_several(ops::parameter_type::list, "m"));
+  auto* field = form.findChild<QLineEdit*>("x");
+  ASSERT_NE(field, nullptr);
+  for (const auto* typed : {"10; 1 cm; 2.5", "10, 10, 2.5", "10 10 2,5"}) {
+    field->setText(typed);
+    EXPECT_EQ(std::get<std::string>(form.values().at("x")), "0.01, 0.01, 0.0025") << typed;
+  }
+  field->setText("7");
+  EXPECT_EQ(std::get<std::string>(form.values().at("x")), "0.007");
+  operation_form angles(with_several(ops::parameter_type::list, "rad"));
+  angles.findChild<QLineEdit*>("x")->setText("180; 90");
+  const auto numbers = ops::numbers_of(angles.values(), "x");
+  ASSERT_EQ(numbers.size(), 2u);
+  EXPECT_NEAR(numbers[0], 3.14159265358979, 1e-12);
 }
 
 TEST(OperationForm, AFileIsItsContentUntilAnotherPathIsTyped) {

@@ -9,6 +9,7 @@
 
 #include "client-qt/model/circle_fit.hpp"
 #include "client-qt/model/handle_pose.hpp"
+#include "client-qt/model/pick_words.hpp"
 #include "client-qt/model/round_edges.hpp"
 #include "client-qt/model/wall_spot.hpp"
 
@@ -53,6 +54,19 @@ client::surface_model bored_wall() {
   client::surface_model made;
   EXPECT_TRUE(made.apply(u).has_value());
   return made;
+}
+
+TEST(PickWords, WhatIsNearAnEdgeIsTheEdgeAndTheWallElsewhere) {
+  const auto part = bored_wall();
+  const double reach = 1e-4;
+
+  // The bore's rim is at (3, 2), the wall ends at (8, 2).
+  EXPECT_EQ(pick_words(part, 1, {5e-3, 2e-3, 3e-3}, reach), "surface:1");
+  EXPECT_EQ(pick_words(part, 1, {3.05e-3, 2.2e-3, 3e-3}, reach), "edge:1,2");
+  EXPECT_EQ(pick_words(part, 1, {3.05e-3, 1.8e-3, 3e-3}, reach), "edge:1,3");
+  EXPECT_EQ(pick_words(part, 2, {1e-3, 4e-3, 1e-3}, reach), "surface:2");
+  // Where nothing lies behind an edge, there is the wall alone.
+  EXPECT_EQ(pick_words(part, 1, {7.99e-3, 2.2e-3, 3e-3}, reach), "surface:1");
 }
 
 lens from_above() {
@@ -198,6 +212,21 @@ TEST(HandlePose, StandsAtTheGivenPlaceOrInTheMiddleOfTheWall) {
   EXPECT_NEAR(either->frame.z.z, 0.8, 1e-12) << "into the material either way";
   EXPECT_NEAR(either->wall_normal.z, 1, 1e-12);
   EXPECT_FALSE(pose("1, two", "", {})) << "what is being typed is no place yet";
+}
+
+TEST(HandlePose, AWholePlaneThatIsGivenLeavesNothingToDrag) {
+  ops::operation_description d;
+  for (const auto& [id, type] : {std::pair{"at", ops::parameter_type::point},
+                                 {"normal", ops::parameter_type::direction},
+                                 {"plane", ops::parameter_type::plane}})
+    d.parameters.push_back({id, id, "", type, "", {}, {}, {}, std::string()});
+  const auto plan = plan_of(d);
+  ASSERT_TRUE(plan.is_plane);
+  EXPECT_EQ(plan.find("plane"), nullptr) << "a field only";
+
+  EXPECT_TRUE(pose_of(plan, {{"plane", std::string()}}, {1}, bored_wall(), {}));
+  for (const auto* given : {"0, 0, 0; 0, 0, 1", "surface:3"})
+    EXPECT_FALSE(pose_of(plan, {{"plane", std::string(given)}}, {1}, bored_wall(), {})) << given;
 }
 
 }  // namespace

@@ -39,6 +39,7 @@ constexpr layout_fact frozen[] = {
   {"parameter_type", 4, 0x4},
   {"parameter_type since 7.1", 4, 0x6},
   {"parameter_type since 7.3", 4, 0x8},
+  {"parameter_type since 7.4", 4, 0xc},
   {"context", 0, 0x41af36a824c7daf5},
   {"edit_result", 192, 0x6201b55312d2f59},
   {"expected<edit_result>", 336, 0x831c807b4ea29ad},

@@ -30,6 +30,10 @@ ops::operation_description sample() {
     {"exact", "Exact", "", ops::parameter_type::boolean, "", {}, {}, {}, true},
     {"name", "Name", "", ops::parameter_type::text, "", {}, {}, {}, std::string("x")},
     {"side", "Side", "", ops::parameter_type::choice, "", {}, {}, {"in", "out"}, std::string("in")},
+    {"axis", "Axis", "", ops::parameter_type::axis, "m", {}, {}, {}, std::string()},
+    {"plane", "Plane", "", ops::parameter_type::plane, "m", {}, {}, {}, std::string()},
+    {"path", "Path", "", ops::parameter_type::polyline, "m", 3.0, {}, {}, std::string()},
+    {"places", "Places", "", ops::parameter_type::list, "m", {}, 2.0, {}, std::string("1, 2")},
   };
   return d;
 }

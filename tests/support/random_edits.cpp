@@ -24,6 +24,23 @@ std::size_t below(const number_source& numbers, std::size_t n) {
   return static_cast<std::size_t>(numbers() % n);
 }
 
+/// A list of one, or points within the part's size.
+std::string some_numbers(const ops::parameter_description& p, const number_source& numbers,
+                         double size) {
+  if (p.type == ops::parameter_type::list)
+    return std::to_string(uniform(numbers, p.min.value_or(0), p.max.value_or(1)));
+  std::size_t count = 2;
+  if (p.type == ops::parameter_type::polyline)
+    count = static_cast<std::size_t>(std::max(p.min.value_or(2), 2.0)) + below(numbers, 4);
+  std::string text;
+  for (std::size_t i = 0; i < 3 * count; ++i)
+    text += (i == 0       ? ""
+             : i % 3 == 0 ? "; "
+                          : ", ") +
+            std::to_string(uniform(numbers, -0.5 * size, 0.5 * size));
+  return text;
+}
+
 /// A value inside the range, now and then at its ends or left at the default.
 void choose_value(const ops::parameter_description& p, const number_source& numbers, double size,
                   ops::parameters& values) {
@@ -62,6 +79,14 @@ void choose_value(const ops::parameter_description& p, const number_source& numb
       values[p.id] = text;
       break;
     }
+    case ops::parameter_type::axis:
+    case ops::parameter_type::plane:
+    case ops::parameter_type::polyline:
+    case ops::parameter_type::list:
+      // Most are left out: they stand instead of others, or mean something for one choice only.
+      if (below(numbers, 4) == 0)
+        values[p.id] = some_numbers(p, numbers, size);
+      break;
   }
 }
 

@@ -18,7 +18,7 @@ protected:
   expected<ops::edit_result> run(const Operation& apply, const ops::operation_description& about,
                                  const version_ptr& mesh, const std::vector<surface_id>& surfaces,
                                  const ops::parameters& given) {
-    const auto values = ops::complete_parameters(about, given);
+    const auto values = ops::complete_parameters(about, given, mesh.get());
     if (!values)
       return fail(values.error());
     return apply(mesh, ops::selection{surfaces}, *values, ctx_);

@@ -22,6 +22,7 @@
 #include "client-qt/model/quantities.hpp"
 #include "client-qt/model/typed_quantity.hpp"
 #include "client-qt/tools/operations/file_field.hpp"
+#include "client-qt/tools/operations/number_fields.hpp"
 
 namespace tedit::desktop {
 
@@ -84,55 +85,12 @@ QString text(const std::string& words) {
   return QString::fromStdString(words);
 }
 
-/// The three words of a point: between semicolons, or commas with blanks, or blanks, or commas.
-QStringList numbers_typed(const QString& typed) {
-  static const QRegularExpression comma_blank(",\\s+");
-  static const QRegularExpression blanks("\\s+");
-  if (typed.contains(';'))
-    return typed.split(';');
-  QString plain = typed.trimmed();
-  plain.replace(comma_blank, " ");
-  const auto words = plain.split(blanks, Qt::SkipEmptyParts);
-  return words.size() != 3 && typed.count(',') == 2 ? typed.split(',') : words;
-}
-
-/// What is typed, in SI units and as the host reads it.
-std::string read_vector(const QString& typed, const QString& si_unit) {
-  const auto words = numbers_typed(typed);
-  if (words.size() != 3)
-    return typed.trimmed().toStdString();
-  QStringList numbers;
-  for (const auto& word : words) {
-    const auto si = read_quantity(word, si_unit);
-    if (!si)
-      return typed.trimmed().toStdString();
-    numbers.append(QString::number(*si, 'g', 15));
-  }
-  return numbers.join(", ").toStdString();
-}
-
-/// The host's text, in the unit that is shown and as the locale writes numbers.
-QString vector_words(const std::string& host, const QString& si_unit) {
-  const auto numbers = text(host).split(',', Qt::SkipEmptyParts);
-  const double scale = shown_as(si_unit).scale;
-  QLocale plain;
-  plain.setNumberOptions(QLocale::OmitGroupSeparator);
-  QStringList words;
-  for (const auto& number : numbers) {
-    bool ok = false;
-    const double value = number.trimmed().toDouble(&ok);
-    if (!ok)
-      return text(host);
-    words.append(plain.toString(scale * value, 'g', 10));
-  }
-  return words.join("; ");
-}
-
 /// Name, help, range and default of a parameter.
 QString what_it_is(const ops::parameter_description& parameter) {
   QString result = "<b>" + text(parameter.name).toHtmlEscaped() + "</b><br>" +
                    text(parameter.help).toHtmlEscaped();
-  const QString unit = text(parameter.unit);
+  const bool counts = parameter.type == ops::parameter_type::polyline;
+  const QString unit = counts ? QString() : text(parameter.unit);
   if (parameter.min && parameter.max)
     result += "<br>" + operation_form_phrases::tr("From %1 to %2")
                          .arg(quantity(*parameter.min, unit), quantity(*parameter.max, unit));
@@ -144,6 +102,18 @@ QString what_it_is(const ops::parameter_description& parameter) {
   if (const auto* value = std::get_if<double>(&parameter.default_value))
     result += "<br>" + operation_form_phrases::tr("Usually %1").arg(quantity(*value, unit));
   return result;
+}
+
+/// Stands instead of a place and a direction: of the two ways to say it the last one counts.
+bool is_whole_place(const ops::parameter_description& parameter) {
+  return parameter.type == ops::parameter_type::axis ||
+         parameter.type == ops::parameter_type::plane;
+}
+
+bool is_part_of_place(const ops::parameter_description& parameter) {
+  return (parameter.type == ops::parameter_type::point ||
+          parameter.type == ops::parameter_type::direction) &&
+         parameter.default_value == ops::parameter_value(std::string());
 }
 
 QString vector_hint(ops::parameter_type type, const QString& unit) {
@@ -218,6 +188,12 @@ QWidget* operation_form::make_field(const ops::parameter_description& parameter)
       return make_vector(parameter);
     case ops::parameter_type::file:
       return make_file(parameter);
+    case ops::parameter_type::axis:
+    case ops::parameter_type::plane:
+    case ops::parameter_type::polyline:
+      return make_picked(parameter);
+    case ops::parameter_type::list:
+      return make_list(parameter);
     default:
       return make_text(parameter);
   }
@@ -305,7 +281,44 @@ QWidget* operation_form::make_vector(const ops::parameter_description& parameter
     [box, unit] { return ops::parameter_value(read_vector(box->text(), unit)); },
     [box, unit](const ops::parameter_value& v) {
       if (const auto* s = std::get_if<std::string>(&v))
-        box->setText(vector_words(*s, unit));
+        box->setText(numbers_shown(*s, unit));
+    }};
+  return box;
+}
+
+QWidget* operation_form::make_picked(const ops::parameter_description& parameter) {
+  picked_field* field = nullptr;
+  if (parameter.type == ops::parameter_type::polyline)
+    field = new polyline_field(text(parameter.unit));
+  else
+    field = new axis_field(parameter.type, text(parameter.unit));
+  connect(field, &picked_field::changed, this, &operation_form::changed);
+  connect(field, &picked_field::pick_wanted, this, [this, field] {
+    for (auto* other : findChildren<picked_field*>())
+      if (other != field)
+        other->stop_picking();
+  });
+  fields_[parameter.id] = {[field] { return ops::parameter_value(field->value()); },
+                           [field](const ops::parameter_value& v) {
+                             if (const auto* s = std::get_if<std::string>(&v))
+                               field->set_value(*s);
+                           }};
+  return field;
+}
+
+QWidget* operation_form::make_list(const ops::parameter_description& parameter) {
+  auto* box = new QLineEdit;
+  const QString unit = text(parameter.unit);
+  const QString shown = shown_as(unit).name;
+  box->setPlaceholderText(shown.isEmpty()
+                            ? operation_form_phrases::tr("numbers, between semicolons")
+                            : operation_form_phrases::tr("in %1, between semicolons").arg(shown));
+  connect(box, &QLineEdit::textChanged, this, &operation_form::changed);
+  fields_[parameter.id] = {
+    [box, unit] { return ops::parameter_value(read_list(box->text(), unit)); },
+    [box, unit](const ops::parameter_value& v) {
+      if (const auto* s = std::get_if<std::string>(&v))
+        box->setText(numbers_shown(*s, unit));
     }};
   return box;
 }
@@ -350,10 +363,30 @@ void operation_form::set_place(const vec3& at) {
                                        &ops::parameter_description::type);
   if (place == about_.parameters.end())
     return;
+  for (const auto& other : about_.parameters)
+    if (is_whole_place(other))
+      fields_.at(other.id).set(other.default_value);
   QStringList numbers;
   for (const double x : {at.x, at.y, at.z})
     numbers.append(QString::number(1e-6 * std::round(1e6 * x), 'g', 12));
   fields_.at(place->id).set(numbers.join(", ").toStdString());
+}
+
+bool operation_form::picks() const {
+  return std::ranges::any_of(findChildren<picked_field*>(), &picked_field::picks);
+}
+
+void operation_form::take_pick(const std::string& place) {
+  for (const auto& parameter : about_.parameters) {
+    auto* field = findChild<picked_field*>(text(parameter.id));
+    if (!field || !field->picks())
+      continue;
+    field->stop_picking();
+    for (const auto& other : about_.parameters)
+      if (is_whole_place(parameter) && is_part_of_place(other))
+        fields_.at(other.id).set(other.default_value);
+    field->set_value(place);
+  }
 }
 
 void operation_form::reset() {

@@ -28,8 +28,14 @@ public:
   void reset();
   /// Whether a click on the part can give a parameter its place.
   [[nodiscard]] bool has_place() const;
-  /// The first such parameter becomes this, m, to the micrometre.
+  /// The first such parameter becomes this, m, to the micrometre; an axis or a plane that stands
+  /// instead of it is left out.
   void set_place(const vec3& at);
+  /// Whether the next click on the part is meant for a field whose button is down.
+  [[nodiscard]] bool picks() const;
+  /// That field becomes this place of the part, "surface:12" or "edge:3,7", and its button is up;
+  /// what an axis or a plane stands instead of is left out.
+  void take_pick(const std::string& place);
 
 signals:
   void changed();
@@ -53,6 +59,8 @@ private:
   [[nodiscard]] QWidget* make_choice(const ops::parameter_description& parameter);
   [[nodiscard]] QWidget* make_text(const ops::parameter_description& parameter);
   [[nodiscard]] QWidget* make_file(const ops::parameter_description& parameter);
+  [[nodiscard]] QWidget* make_picked(const ops::parameter_description& parameter);
+  [[nodiscard]] QWidget* make_list(const ops::parameter_description& parameter);
   [[nodiscard]] QWidget* make_vector(const ops::parameter_description& parameter);
 
   ops::operation_description about_;

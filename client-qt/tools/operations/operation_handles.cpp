@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "client-qt/model/part_size.hpp"
+#include "client-qt/model/pick_words.hpp"
 #include "client-qt/model/probes.hpp"
 #include "client-qt/tools/operations/context_panel.hpp"
 
@@ -228,7 +229,15 @@ void operation_handles::move_place(QPointF to, bool free) {
 bool operation_handles::take_place(const picked_point& at, bool free) {
   const auto* head = in_.part.head();
   auto* form = panel_.form();
-  if (panel_.chosen().isEmpty() || !form || !form->has_place() || !head || !head->surface)
+  if (panel_.chosen().isEmpty() || !form || !head || !head->surface)
+    return false;
+  if (form->picks()) {
+    const double reach = snap_reach * lens_of(in_.view).metres_per_pixel(at.at);
+    if (head->surface->surfaces().contains(at.surface))  // Else of a preview only.
+      form->take_pick(pick_words(*head->surface, at.surface, on_head(at), reach));
+    return true;
+  }
+  if (!form->has_place())
     return false;
   put_place(at, in_.view.to_widget(at.at), free);
   return true;

@@ -28,7 +28,8 @@ public:
   /// Back to the values before the drag; false if there is none.
   bool cancel();
   /// A click on the part while the form has a place: that place, on that wall. `free`: nothing
-  /// takes hold of it. False if the form has none.
+  /// takes hold of it. While a field of the form picks, what is there is for that field. False if
+  /// the form has neither.
   bool take_place(const picked_point& at, bool free);
   /// As the camera is now; empty while no form is open.
   [[nodiscard]] std::vector<laid_handle> laid() const;

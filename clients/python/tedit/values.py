@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import json
+import numbers
 import os
 import pathlib
 import typing
@@ -13,8 +14,10 @@ from google.protobuf import json_format
 
 from .v1 import load_case_pb2, operation_pb2, report_pb2
 
+#: Numbers of a point or a list, or points of an axis, a plane or a polyline.
+Numbers = typing.Sequence[typing.Union[float, typing.Sequence[float]]]
 #: A path stands for what is in its file.
-Value = typing.Union[bool, int, float, str, "os.PathLike[str]"]
+Value = typing.Union[bool, int, float, str, "os.PathLike[str]", Numbers]
 #: A message, its JSON as a dictionary, or the path of a file (docs/load_cases.md).
 LoadCaseLike = typing.Union[load_case_pb2.LoadCase, typing.Mapping[str, typing.Any], str, "os.PathLike[str]"]
 #: What becomes of loads whose surface an edit takes away: "drop", "move", "refuse", or a message.
@@ -38,7 +41,15 @@ def parameter(value: Value) -> operation_pb2.ParameterValue:
         return operation_pb2.ParameterValue(text=value)
     if isinstance(value, os.PathLike):
         return operation_pb2.ParameterValue(text=attachment(*contents(value)))
+    if not isinstance(value, numbers.Real):
+        return operation_pb2.ParameterValue(text=number_text(value))
     return operation_pb2.ParameterValue(real=value)
+
+
+def number_text(values: Numbers) -> str:
+    """`[0, 0.01, 0]` as "0, 0.01, 0" and `[[0, 0, 0], [0, 0, 1]]` as "0, 0, 0; 0, 0, 1", as the server reads them."""
+    parts = [repr(float(v)) if isinstance(v, numbers.Real) else number_text(v) for v in values]
+    return ("; " if any("," in part for part in parts) else ", ").join(parts)
 
 
 def attachment(data: bytes, name: str) -> str:

@@ -132,6 +132,18 @@ class Surfaces(unittest.TestCase):
             Field(session.FieldUpdate(), dict(vertices=np.array([10], np.uint32), von_mises_pa=np.ones(1))).on(whole().mesh, "von_mises_pa")
 
 
+class Values(unittest.TestCase):
+    def test_points_and_lists_are_sent_as_texts_of_numbers(self):
+        for given, text in (
+            ([0, 0.01, -1e-7], "0.0, 0.01, -1e-07"),
+            (np.array([1.5, 2]), "1.5, 2.0"),
+            ([(0, 0, 0), (0, 0, 1)], "0.0, 0.0, 0.0; 0.0, 0.0, 1.0"),
+            (np.eye(3)[:2], "1.0, 0.0, 0.0; 0.0, 1.0, 0.0"),
+        ):
+            self.assertEqual(tedit.values.parameter(given).text, text)
+        self.assertEqual(tedit.values.parameter(np.float64(0.5)).real, 0.5)
+
+
 class Errors(unittest.TestCase):
     def test_each_code_of_the_protocol_has_a_class(self):
         body = (SOURCE / "base/error.hpp").read_text().split("enum class ec {")[1].split("};")[0]

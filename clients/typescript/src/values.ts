@@ -5,7 +5,9 @@ import { InvalidArgument } from "./errors.js";
 import { LoadCaseSchema, LoadPolicy_Kind, type LoadCase, type LoadPolicySchema, type ParameterValueSchema } from "./v1.js";
 
 /** Lengths and the like are in the SI unit that the catalogue states. */
-export type Value = boolean | number | string | AttachedFile;
+export type Value = boolean | number | string | Numbers | AttachedFile;
+/** Numbers of a point or a list, or points of an axis, a plane or a polyline. */
+export type Numbers = readonly (number | readonly number[])[];
 /** For a parameter of the kind FILE. */
 export interface AttachedFile {
   readonly name: string;
@@ -25,9 +27,16 @@ export function makeEditId(): string {
 export function toParameter(value: Value): MessageInitShape<typeof ParameterValueSchema> {
   if (typeof value === "boolean") return { kind: { case: "boolean", value } };
   if (typeof value === "string") return { kind: { case: "text", value } };
+  if (Array.isArray(value)) return { kind: { case: "text", value: toNumbers(value) } };
   if (typeof value === "object") return { kind: { case: "text", value: toAttachment(value) } };
   // A parameter that is a real number takes a whole one, too, but not the other way round.
   return Number.isSafeInteger(value) ? { kind: { case: "integer", value: BigInt(value) } } : { kind: { case: "real", value } };
+}
+
+/** "0, 0.01, 0", and "0, 0, 0; 0, 0, 1" of points, as the server reads them. */
+function toNumbers(values: Numbers): string {
+  const points = values.some((value) => typeof value !== "number");
+  return values.map((value) => (typeof value === "number" ? String(value) : value.join(", "))).join(points ? "; " : ", ");
 }
 
 function toAttachment(file: AttachedFile): string {

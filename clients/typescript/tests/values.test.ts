@@ -31,6 +31,12 @@ test("a file is sent as its name and content", () => {
   assert.deepEqual(toParameter({ name: "a;b.stl", bytes }), { kind: { case: "text", value: "data:a_b.stl;base64,Zm9vYmFy" } });
 });
 
+test("points and lists are sent as texts of numbers", () => {
+  const text = (value: string) => ({ kind: { case: "text", value } });
+  assert.deepEqual(toParameter([0, 0.01, -1e-7]), text("0, 0.01, -1e-7"));
+  assert.deepEqual(toParameter([[0, 0, 0], [0, 0, 1]]), text("0, 0, 0; 0, 0, 1"));
+});
+
 test("arrays stand where they are said to, in the memory of the stream", () => {
   const stream = new IncomingStream(announce(40n, u32("slots", 3n, 0n), { name: "values", type: FLOAT64, components: 3, items: 1n, offset: 16n }));
   const data = new Uint8Array(40);

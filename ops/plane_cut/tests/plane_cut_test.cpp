@@ -46,6 +46,20 @@ TEST_F(PlaneCut, InTwoEachSideHasACutOfItsOwnAndTheOldSurfacesAreOnBoth) {
   }
 }
 
+TEST_F(PlaneCut, APlaneStandsInsteadOfPlaceAndNormal) {
+  parameters values{
+    {"at", std::string()}, {"normal", std::string()}, {"plane", std::string("0, 0, 0.3; 0, 0, 2")}};
+  const auto where = placement_of(*block_, {}, values, "normal", 0);
+  values["at"] = std::string("0, 0, 0");
+  const auto both = placement_of(*block_, {}, values, "normal", 0);
+
+  ASSERT_TRUE(where) << render(where.error());
+  EXPECT_EQ(where->at, (vec3{0, 0, 0.3}));
+  EXPECT_EQ(where->outward, (vec3{0, 0, 1}));
+  ASSERT_FALSE(both);
+  EXPECT_EQ(both.error().code, ec::invalid_parameter);
+}
+
 TEST_F(PlaneCut, AlongACornersDiagonal) {
   const auto result = plane_cut(block_, {0.5, 0.5, 0.5}, {1, 1, 1}, kept_side::below, {}, ctx_);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "ops/pocket/pocket.hpp"
 
+#include <gmock/gmock.h>
+
 #include "tests/support/meshes.hpp"
 #include "tests/support/tool_edits.hpp"
 
@@ -64,6 +66,61 @@ TEST_F(Pocket, ReachesOverAnEdge) {
   ASSERT_TRUE(result) << render(result.error());
   expect_good(plate_, *result);
   EXPECT_NEAR(result->volume_change, -0.2 * 0.3 * 0.1, 1e-12);
+}
+
+/// The corners (0.2, 0.2), (0.8, 0.2), (0.2, 0.8): half of 0.6 x 0.6.
+TEST_F(Pocket, OfPointsTakesOffWhatLiesBetweenThem) {
+  for (const auto* points :
+       {"0.2,0.2,0.2; 0.8,0.2,0.2; 0.2,0.8,0.2", "0.2,0.8,0.2; 0.8,0.2,0.2; 0.2,0.2,0.2",
+        "0.2,0.2,0.9; 0.8,0.2,-3; 0.2,0.8,0.2; 0.2,0.2,0.9"})
+    for (const auto& wall : {std::vector<surface_id>{6}, std::vector<surface_id>{}}) {
+      if (wall.empty() && std::string(points).ends_with("0.9"))
+        continue;  // The middle of such points is no place on the wall.
+      const auto result =
+        cut({{"profile", std::string("points")}, {"points", std::string(points)}}, wall);
+
+      ASSERT_TRUE(result) << render(result.error());
+      expect_good(plate_, *result);
+      EXPECT_NEAR(result->volume_change, -0.18 * 0.1, 1e-12) << points;
+      EXPECT_NEAR(area_of(*result->candidate, "pocket bottom"), 0.18, 1e-12);
+      EXPECT_NEAR(area_of(*result->candidate, "pocket side 1") +
+                    area_of(*result->candidate, "pocket side 2") +
+                    area_of(*result->candidate, "pocket side 3"),
+                  0.1 * (1.2 + std::sqrt(0.72)), 1e-12);
+    }
+}
+
+/// An L of 0.6 x 0.6 without a quarter of 0.3 x 0.3, turned with nothing: `along` turns no points.
+TEST_F(Pocket, OfPointsMayBeConcaveAndIsNotTurned) {
+  const auto result = cut({{"profile", std::string("points")},
+                           {"along", std::string("1, 1, 0")},
+                           {"points", std::string("0.2,0.2,0.2; 0.8,0.2,0.2; 0.8,0.5,0.2; "
+                                                  "0.5,0.5,0.2; 0.5,0.8,0.2; 0.2,0.8,0.2")}});
+
+  ASSERT_TRUE(result) << render(result.error());
+  expect_good(plate_, *result);
+  EXPECT_NEAR(result->volume_change, -0.27 * 0.1, 1e-12);
+}
+
+TEST_F(Pocket, PointsThatAreNoOutlineAreRefusedByName) {
+  const auto refusal = [&](const std::string& profile, const std::string& points) {
+    const auto result = cut({{"profile", profile}, {"points", points}});
+    EXPECT_FALSE(result) << points;
+    return result ? "" : render(result.error());
+  };
+  using ::testing::HasSubstr;
+
+  EXPECT_THAT(refusal("points", "0.2,0.2,0.2; 0.8,0.8,0.2; 0.8,0.2,0.2; 0.2,0.8,0.2"),
+              HasSubstr("crosses itself between its points 1 and 3"));
+  EXPECT_THAT(refusal("points", "0.2,0.2,0.2; 0.5,0.5,0.2; 0.8,0.8,0.2"),
+              HasSubstr("enclose nothing"));
+  EXPECT_THAT(refusal("points", "0.2,0.2,0.2; 0.2,0.2,0.5; 0.2,0.2,0.8"),
+              HasSubstr("enclose nothing"));
+  EXPECT_THAT(refusal("points", ""), HasSubstr("none were given"));
+  EXPECT_THAT(refusal("circle", "0.2,0.2,0.2; 0.5,0.5,0.2; 0.8,0.8,0.2"),
+              HasSubstr("the profile is another one"));
+  EXPECT_THAT(refusal("points", "0.2,0.2,0.2; 0.2001,0.2,0.2; 0.8,0.2,0.2; 0.2,0.8,0.2"),
+              HasSubstr("too small for the mesh"));
 }
 
 TEST_F(Pocket, NeedsAPlaceOrAWall) {
