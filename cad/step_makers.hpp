@@ -44,6 +44,7 @@ using step_or_reason = tl::expected<cad_step, std::string>;
 [[nodiscard]] step_or_reason plane_cut(const edit_made& edit);
 [[nodiscard]] step_or_reason embossing(const edit_made& edit);
 [[nodiscard]] step_or_reason ribbing(const edit_made& edit);
+[[nodiscard]] step_or_reason sweeping(const edit_made& edit);
 [[nodiscard]] step_or_reason combining(const edit_made& edit);
 [[nodiscard]] step_or_reason hollowing(const edit_made& edit);
 

@@ -71,7 +71,8 @@ const std::map<std::string, maker>& makers() {
     {"hollow", hollowing},        {"improve_mesh", nothing},  {"move", moving},
     {"open", rounding<true>},     {"pattern", repeating},     {"plane_cut", plane_cut},
     {"pocket", pocket_extrusion}, {"refine", nothing},        {"remove_surfaces", removal},
-    {"resize_bore", resizing},    {"rib", ribbing},           {"thicken", thickening},
+    {"resize_bore", resizing},    {"rib", ribbing},           {"sweep", sweeping},
+    {"thicken", thickening},
   };
   return all;
 }

@@ -6,7 +6,9 @@
 #include "ops/combine/combine.hpp"
 #include "ops/emboss/emboss.hpp"
 #include "ops/rib/rib.hpp"
+#include "ops/services/host_services.hpp"
 #include "ops/shapes/outlines/placed_profile.hpp"
+#include "ops/sweep/sweep_along.hpp"
 #include "ops/tools/hole.hpp"
 #include "ops/tools/profiles.hpp"
 
@@ -166,24 +168,53 @@ step_or_reason ribbing(const edit_made& edit) {
   return step;
 }
 
+namespace {
+
+/// A closed surface, a face for each triangle. `what`: whose they are, for the reason why not.
+step_or_reason faceted(const std::string& what, const std::vector<vec3>& points,
+                       const std::vector<std::array<std::uint32_t, 3>>& triangles) {
+  if (triangles.size() > most_facets)
+    return because(what + " has " + std::to_string(triangles.size()) +
+                   " triangles, each would be a face of the CAD model; " +
+                   std::to_string(most_facets) + " are the most");
+  cad_step step;
+  for (const auto& p : points)
+    step.tool.points.push_back(in_mm(p));
+  for (const auto& t : triangles)
+    step.tool.triangles.push_back(
+      {static_cast<int>(t[0]), static_cast<int>(t[1]), static_cast<int>(t[2])});
+  return step;
+}
+
+}  // namespace
+
+/// With the edges around that the mesh has, and none between the corners of the path.
+step_or_reason sweeping(const edit_made& edit) {
+  const auto order = ops::sweep_order_of(edit.before, {edit.wanted.surfaces}, edit.values);
+  if (!order)
+    return because(order.error().message);
+  const auto host = ops::make_host_services();
+  const auto tool = ops::sweep(order->path, order->shape, order->up,
+                               2 * (order->length + order->reach), "sweep", *host);
+  if (!tool)
+    return because(tool.error().message);
+  auto step = faceted("the swept profile", tool->points, tool->triangles);
+  if (step)
+    step->kind = order->mode == ops::boolean_mode::add ? step_kind::add : step_kind::cut;
+  return step;
+}
+
 step_or_reason combining(const edit_made& edit) {
   const auto order = ops::combine_order_of(edit.values);
   if (!order)
     return because(order.error().message);
-  const auto& surface = order->surface;
-  if (surface.triangles.size() > most_facets)
-    return because("the file has " + std::to_string(surface.triangles.size()) +
-                   " triangles, each would be a face of the CAD model; " +
-                   std::to_string(most_facets) + " are the most");
-  cad_step step;
-  step.kind = order->settings.mode == ops::boolean_mode::add   ? step_kind::add
-              : order->settings.mode == ops::boolean_mode::cut ? step_kind::cut
-                                                               : step_kind::keep;
-  for (const auto& p : ops::placed_points(surface, order->settings))
-    step.tool.points.push_back(in_mm(p));
-  for (const auto& t : surface.triangles)
-    step.tool.triangles.push_back(
-      {static_cast<int>(t[0]), static_cast<int>(t[1]), static_cast<int>(t[2])});
+  auto step = faceted("the file", ops::placed_points(order->surface, order->settings),
+                      order->surface.triangles);
+  if (!step)
+    return step;
+  step->kind = order->settings.mode == ops::boolean_mode::add   ? step_kind::add
+               : order->settings.mode == ops::boolean_mode::cut ? step_kind::cut
+                                                                : step_kind::keep;
   return step;
 }
 

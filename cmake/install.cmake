@@ -39,7 +39,7 @@ endif()
 install(FILES config/tedit.toml config/materials.json DESTINATION share/tedit)
 install(DIRECTORY examples DESTINATION share/tedit USE_SOURCE_PERMISSIONS)
 
-foreach(name IN ITEMS options base mesh io sdk tools mesher boolean services)
+foreach(name IN ITEMS options base mesh io sdk tools text_tools file_tools mesher boolean services)
   set_target_properties(tedit_${name} PROPERTIES EXPORT_NAME ${name})
   install(TARGETS tedit_${name} EXPORT TEditTargets ARCHIVE DESTINATION lib/tedit COMPONENT dev)
 endforeach()
@@ -56,7 +56,7 @@ endforeach()
 # Headers: what docs/plugins.md, docs/protocol.md and docs/integrate.md tell of, and what these include. Nothing else of base/ and mesh/ is
 # for others, nor what the operations of this tree share (ops/shapes).
 set(plugin_headers
-    ops/sdk/operation.hpp ops/tools/tools.hpp
+    ops/sdk/operation.hpp ops/tools/files/surface_file.hpp ops/tools/sweep.hpp ops/tools/text/text_outlines.hpp ops/tools/tools.hpp
     # Documented beside it.
     base/attachment.hpp base/parallel.hpp mesh/checks.hpp mesh/features/hole.hpp mesh/features/rims.hpp mesh/quality.hpp
     # For tests of plugins.

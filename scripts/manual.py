@@ -26,7 +26,7 @@ PAGES = [
     ("operations", "Operations", "What each editing operation does, its parameters and its limits.",
      ["ops/fill_hole/README.md", "ops/remove_surfaces/README.md", "ops/erode/README.md", "ops/thicken/README.md",
       "ops/open/README.md", "ops/close/README.md", "ops/improve_mesh/README.md", "ops/drill/README.md",
-      "ops/pocket/README.md", "ops/boss/README.md", "ops/plane_cut/README.md", "ops/emboss/README.md", "ops/rib/README.md",
+      "ops/pocket/README.md", "ops/boss/README.md", "ops/plane_cut/README.md", "ops/emboss/README.md", "ops/rib/README.md", "ops/sweep/README.md",
       "ops/move/README.md", "ops/pattern/README.md", "ops/resize_bore/README.md", "ops/combine/README.md", "ops/hollow/README.md",
       "ops/deform/README.md", "ops/refine/README.md", "ops/coarsen/README.md"]),
     ("load_cases", "Load cases", "Supports, loads and materials as a file.", ["docs/load_cases.md"]),

@@ -8,7 +8,7 @@
 
 #include "base/number_range.hpp"
 #include "base/units.hpp"
-#include "ops/combine/surface_file.hpp"
+#include "ops/tools/files/surface_file.hpp"
 #include "ops/tools/placement.hpp"
 
 namespace tedit::ops {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ops/emboss/text_outlines.hpp"
 #include "ops/shapes/outlines/svg_outlines.hpp"
 #include "ops/tools/profiles.hpp"
+#include "ops/tools/text/text_outlines.hpp"
 
 namespace tedit::ops {
 

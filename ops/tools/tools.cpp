@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "ops/tools/extruder.hpp"
+
 namespace tedit::ops {
 
 namespace {
@@ -18,118 +20,6 @@ std::vector<point2> arc(point2 centre, double radius, double from, double to, in
     points.push_back({centre[0] + radius * std::cos(angle), centre[1] + radius * std::sin(angle)});
   }
   return points;
-}
-
-int parts_of(double length, double size) {
-  return std::clamp(static_cast<int>(std::lround(length / size)), 1, 10'000);
-}
-
-/// Long straight edges are divided: walls and ends need points along them.
-outline divided(const outline& o, double size) {
-  outline result;
-  for (std::size_t i = 0; i < o.points.size(); ++i) {
-    const auto& a = o.points[i];
-    const auto& b = o.points[(i + 1) % o.points.size()];
-    const int parts = parts_of(std::hypot(b[0] - a[0], b[1] - a[1]), size);
-    for (int k = 0; k < parts; ++k) {
-      const double t = static_cast<double>(k) / parts;
-      result.points.push_back({a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])});
-      result.side.push_back(o.side[i]);
-    }
-  }
-  return result;
-}
-
-struct extruder {
-  const frame& place;
-  double from;
-  double to;
-  tool_surface tool;
-
-  void add(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t face) {
-    tool.triangles.push_back({a, b, c});
-    tool.faces.push_back(face);
-  }
-
-  /// Layers of the outlines' points; `rim` of them a layer.
-  void add_walls(const std::vector<outline>& outlines, std::uint32_t rim, int layers) {
-    std::uint32_t first = 0;
-    for (const auto& o : outlines) {
-      const auto n = static_cast<std::uint32_t>(o.points.size());
-      for (std::uint32_t i = 0; i < n; ++i)
-        for (int k = 0; k < layers; ++k) {
-          const auto a = static_cast<std::uint32_t>(k) * rim + first + i;
-          const auto b = static_cast<std::uint32_t>(k) * rim + first + (i + 1) % n;
-          const auto face = 2 + o.side[i];
-          if ((i + static_cast<std::uint32_t>(k)) % 2 == 1) {
-            add(a, b, b + rim, face);
-            add(a, b + rim, a + rim, face);
-          } else {
-            add(a, b, a + rim, face);
-            add(b, b + rim, a + rim, face);
-          }
-        }
-      first += n;
-    }
-  }
-
-  void add_ends(const planar_filling& filling, std::uint32_t rim, int layers) {
-    const auto bottom = static_cast<std::uint32_t>(tool.points.size());
-    for (std::size_t i = rim; i < filling.points.size(); ++i)
-      tool.points.push_back(place.at(filling.points[i][0], filling.points[i][1], from));
-    const auto top = static_cast<std::uint32_t>(tool.points.size());
-    for (std::size_t i = rim; i < filling.points.size(); ++i)
-      tool.points.push_back(place.at(filling.points[i][0], filling.points[i][1], to));
-    const auto at = [&](std::uint32_t i, bool above) {
-      if (i >= rim)
-        return (above ? top : bottom) + i - rim;
-      return above ? static_cast<std::uint32_t>(layers) * rim + i : i;
-    };
-    for (const auto& t : filling.triangles) {
-      add(at(t[0], false), at(t[2], false), at(t[1], false), 0);
-      add(at(t[0], true), at(t[1], true), at(t[2], true), 1);
-    }
-  }
-};
-
-double signed_area(const outline& o) {
-  double twice = 0;
-  for (std::size_t i = 0; i < o.points.size(); ++i) {
-    const auto& a = o.points[i];
-    const auto& b = o.points[(i + 1) % o.points.size()];
-    twice += a[0] * b[1] - a[1] * b[0];
-  }
-  return 0.5 * twice;
-}
-
-/// In how many of the other outlines the first point lies: odd is a hole.
-bool is_hole(const std::vector<outline>& all, std::size_t which) {
-  const auto& p = all[which].points.front();
-  bool inside = false;
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    if (k == which)
-      continue;
-    const auto& q = all[k].points;
-    for (std::size_t i = 0, j = q.size() - 1; i < q.size(); j = i++)
-      if ((q[i][1] > p[1]) != (q[j][1] > p[1]) &&
-          p[0] < (q[j][0] - q[i][0]) * (p[1] - q[i][1]) / (q[j][1] - q[i][1]) + q[i][0])
-        inside = !inside;
-  }
-  return inside;
-}
-
-/// Outer outlines counter-clockwise, holes clockwise: walls then look outward.
-void orient(std::vector<outline>& all) {
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const bool clockwise = signed_area(all[i]) < 0;
-    if (clockwise == is_hole(all, i))
-      continue;
-    auto& o = all[i];
-    std::ranges::reverse(o.points);
-    // Edge i now goes where edge n - 2 - i went back.
-    std::ranges::reverse(o.side);
-    std::ranges::rotate(o.side, o.side.begin() + 1);
-  }
 }
 
 }  // namespace
@@ -203,30 +93,24 @@ profile slot(double length, double width, int segments) {
 
 expected<tool_surface> extrude(const frame& place, const profile& what, double from, double to,
                                double size, const std::string& name, services& host) {
-  std::vector<outline> outlines;
-  for (const auto& o : what.outlines)
-    outlines.push_back(divided(o, size));
-  orient(outlines);
-  planar_polygon polygon;
-  for (const auto& o : outlines) {
-    std::vector<std::uint32_t> loop;
-    for (const auto& p : o.points) {
-      loop.push_back(static_cast<std::uint32_t>(polygon.points.size()));
-      polygon.points.push_back(p);
-    }
-    polygon.loops.push_back(std::move(loop));
-  }
-  const auto filling = host.triangulate(polygon, size);
+  const auto outlines = divided_outlines(what, size);
+  const auto filling = fill_outlines(outlines, size, host);
   if (!filling)
     return fail(filling.error());
-  const auto rim = static_cast<std::uint32_t>(polygon.points.size());
+  std::uint32_t rim = 0;
+  for (const auto& o : outlines)
+    rim += static_cast<std::uint32_t>(o.points.size());
   const int layers = parts_of(to - from, size);
-  extruder made{place, from, to, {}};
+  extruder made;
   for (int k = 0; k <= layers; ++k)
-    for (const auto& p : polygon.points)
-      made.tool.points.push_back(place.at(p[0], p[1], from + (to - from) * k / layers));
+    for (const auto& o : outlines)
+      for (const auto& p : o.points)
+        made.tool.points.push_back(place.at(p[0], p[1], from + (to - from) * k / layers));
   made.add_walls(outlines, rim, layers);
-  made.add_ends(*filling, rim, layers);
+  const auto at_height = [&](double z) {
+    return [&place, z](const point2& p) { return place.at(p[0], p[1], z); };
+  };
+  made.add_ends(*filling, rim, layers, at_height(from), at_height(to));
   made.tool.names = {name + " bottom", name + " top"};
   for (const auto& side : what.sides)
     made.tool.names.push_back(name + " " + side);

@@ -117,8 +117,9 @@ TEST_F(ReplayFeatures, OutlinesInEachOtherAreRingsAndIslands) {
   }
 }
 
-/// The corners (2, 2), (8, 2), (2, 14) mm, 2 mm deep; a plane at 12 mm.
-TEST_F(ReplayFeatures, AnOutlineAndAPlaneAreMadeOnTheModel) {
+/// The corners (2, 2), (8, 2), (2, 14) mm, 2 mm deep; a plane at 12 mm; a groove of 2 x 2 mm over
+/// the whole top.
+TEST_F(ReplayFeatures, AnOutlineAPlaneAndAPathAreMadeOnTheModel) {
   const auto corners = std::string("0.002,0.002,0.03; 0.008,0.002,0.03; 0.002,0.014,0.03");
   const auto pocket = same({"pocket",
                             {},
@@ -128,9 +129,17 @@ TEST_F(ReplayFeatures, AnOutlineAndAPlaneAreMadeOnTheModel) {
                              {"height", 0.002}},
                             {}});
   const auto cut = same({"plane_cut", {}, {{"plane", std::string("0, 0, 0.012; 0, 0, 1")}}, {}});
+  const auto groove = same({"sweep",
+                            {},
+                            {{"path", std::string("0.005,-0.002,0.03; 0.005,0.022,0.03")},
+                             {"profile", std::string("rectangle")},
+                             {"size", 0.002},
+                             {"height", 0.004}},
+                            {}});
 
   EXPECT_NEAR(volume_of(pocket.model), box_mm3 - 0.5 * 6 * 12 * 2, 1e-7);
   EXPECT_NEAR(volume_of(cut.model), 10 * 20 * 12, 1e-7);
+  EXPECT_NEAR(volume_of(groove.model), box_mm3 - 2 * 2 * 20, 1e-7);
 }
 
 /// A step of 4 mm on the box, and a triangle of 3 x 3 mm, 1 mm thick, in its corner.

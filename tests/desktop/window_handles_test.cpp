@@ -6,7 +6,11 @@
 #include <numbers>
 #include <set>
 
+#include <QPlainTextEdit>
+#include <QToolButton>
+
 #include "client-qt/tools/operations/operation_handles.hpp"
+#include "mesh/box.hpp"
 
 namespace tedit::desktop {
 namespace {
@@ -92,6 +96,38 @@ TEST_F(Handles, DraggingTheDepthChangesTheFieldByWhatThePointerMoved) {
   QTest::keyClicks(field, "1/4 in");
   QTest::keyClick(field, Qt::Key_Tab);
   EXPECT_NEAR(number("depth"), 0.00635, 1e-12) << "the exact value is typed";
+}
+
+/// A bead along an edge of the block: the button, a click near the edge, and its preview.
+TEST_F(Handles, APathIsPickedByAClickNearAnEdge) {
+  window->tools().documents.open_file(TEDIT_TEST_DATA "/parts/inch_block/inch_block.coarse.msh",
+                                      {});
+  ASSERT_TRUE(wait([&] { return shows_head() && !part().operations().operations.empty(); }));
+  ASSERT_TRUE(window->context().all_commands.trigger("view.isometric"));
+  window->tools().operations.panel().choose("sweep");
+  ASSERT_TRUE(wait([&] { return view().is_seen() && view().is_settled(); }));
+  const auto& surface = *part().head()->surface;
+  box wall;
+  surface.facets().for_each([&](auto, const client::surface_facet& facet) {
+    for (const auto v : facet.v)
+      if (facet.surface == top)
+        wall.add(*surface.positions().find(v));
+  });
+  const lens by = lens_of(view());
+  // Two pixels from the middle of the edge towards the wall's middle.
+  const vec3 middle = 0.5 * (wall.low + wall.high);
+  const vec3 edge{middle.x, wall.low.y, middle.z};
+  const vec3 near = edge + 2 * by.metres_per_pixel(edge) * normalized(middle - edge);
+
+  form().findChild<QWidget*>("path")->findChild<QToolButton*>()->click();
+  QTest::mouseClick(&view(), Qt::LeftButton, {}, by.to_screen(near).toPoint());
+
+  const auto path = std::get<std::string>(form().values().at("path"));
+  EXPECT_TRUE(path.starts_with("edge:6,")) << path;
+  EXPECT_FALSE(form().picks());
+  EXPECT_TRUE(window->context().picked.surfaces().empty()) << "nothing is selected by it";
+  ASSERT_TRUE(wait([&] { return shows_preview(); }));
+  EXPECT_LT(preview().shown()->made.report.volume_change, 0);
 }
 
 TEST_F(Handles, EscDuringADragIsTheValueBefore) {

@@ -200,6 +200,19 @@ TEST_F(PicksForOperations, ARingGoesAroundTheAxisOfAWall) {
   EXPECT_NEAR(ring->volume_change, -test::polygon(24, 0.1), 1e-8);
 }
 
+/// A square of 0.2 m along the outer edge of the pipe's end takes a ring of 0.1 x 0.1 off.
+TEST_F(PicksForOperations, AProfileGoesAlongAnEdge) {
+  const auto result =
+    run("sweep", pipe(), {4},
+        {{"path", text("edge:2,4")}, {"profile", text("rectangle")}, {"size", 0.2}});
+
+  ASSERT_TRUE(result) << render(result.error());
+  // A regular polygon of 16 sides by its apothem.
+  const auto area = [](double a) { return 16 * a * a * std::tan(std::numbers::pi / 16); };
+  const double outer = 2 * std::cos(std::numbers::pi / 16);
+  EXPECT_NEAR(result->volume_change, -0.1 * (area(outer) - area(outer - 0.1)), 1e-7);
+}
+
 TEST_F(PicksForOperations, WhatIsNotThereIsRefusedBeforeTheOperationRuns) {
   const auto result = run("plane_cut", pipe(), {}, {{"plane", text("surface:9")}});
 

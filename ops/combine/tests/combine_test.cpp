@@ -6,7 +6,7 @@
 
 #include <gmock/gmock.h>
 
-#include "ops/combine/surface_file.hpp"
+#include "ops/tools/files/surface_file.hpp"
 #include "tests/support/meshes.hpp"
 #include "tests/support/tool_edits.hpp"
 

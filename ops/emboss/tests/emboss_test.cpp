@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-#include "ops/emboss/text_outlines.hpp"
+#include "ops/tools/text/text_outlines.hpp"
 #include "tests/support/meshes.hpp"
 #include "tests/support/tool_edits.hpp"
 

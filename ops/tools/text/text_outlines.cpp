@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "ops/emboss/text_outlines.hpp"
+#include "ops/tools/text/text_outlines.hpp"
 
 #include <ft2build.h>
 #include FT_FREETYPE_H
