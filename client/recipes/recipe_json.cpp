@@ -262,10 +262,12 @@ private:
     for (const auto& item : list_from(list, 1, 10'000, what)) {
       const bool one = !item.is_array() && !item.is_string();
       text += text.empty() ? "" : one ? ", " : "; ";
-      if (one || in_list)
-        text += json(number_from(item, range, "each of " + what)).dump();
-      else
+      if (one || in_list) {
+        (void)number_from(item, range, "each of " + what);
+        text += item.dump();
+      } else {
         text += item.is_array() ? text_of_list(item, range, what, true) : text_from(item, what);
+      }
     }
     return text;
   }

@@ -215,7 +215,7 @@ TEST(RecipeReader, AnotherTypeIsAnErrorAndNotNothing) {
     {R"({"edit": {"operation": "erode", "parameters": [1]}})", "\"parameters\" must be"},
     {R"({"edit": {"operation": "erode", "parameters": {"a": [true]}}})", "parameter \"a\""},
     {R"({"edit": {"operation": "erode", "parameters": {"a": [[[1]]]}}})", "parameter \"a\""},
-    {R"({"edit": {"operation": "erode", "parameters": {"a": [1e999]}}})", "parameter \"a\""},
+    {R"({"edit": {"operation": "erode", "parameters": {"a": [1e300]}}})", "parameter \"a\""},
     {R"({"edit": {"operation": "erode", "parameters": {"a": null}}})", "a list, or"},
     {R"({"edit": {"operation": "erode", "keep_traction": 1}})", "must be true or false"},
     {R"({"go_to": -1})", "step 2 (go_to): \"go_to\" must be the number of a version"},

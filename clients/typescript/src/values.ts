@@ -27,8 +27,7 @@ export function makeEditId(): string {
 export function toParameter(value: Value): MessageInitShape<typeof ParameterValueSchema> {
   if (typeof value === "boolean") return { kind: { case: "boolean", value } };
   if (typeof value === "string") return { kind: { case: "text", value } };
-  if (Array.isArray(value)) return { kind: { case: "text", value: toNumbers(value) } };
-  if (typeof value === "object") return { kind: { case: "text", value: toAttachment(value) } };
+  if (typeof value === "object") return { kind: { case: "text", value: "bytes" in value ? toAttachment(value) : toNumbers(value) } };
   // A parameter that is a real number takes a whole one, too, but not the other way round.
   return Number.isSafeInteger(value) ? { kind: { case: "integer", value: BigInt(value) } } : { kind: { case: "real", value } };
 }
