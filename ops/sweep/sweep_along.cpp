@@ -40,6 +40,8 @@ expected<sweep_order> sweep_order_of(const mesh_version& mesh, const selection& 
   order.shape = round ? circle(width, segments) : rectangle(width, height);
   order.size = round ? std::min(order.local, 1.5 * std::numbers::pi * width / segments)
                      : std::min({order.local, width / 2, height / 2});
+  // What reaches far beyond the part needs no triangles like the part's there.
+  order.size = std::max(order.size, order.reach / 30);
   order.up = outward_at(mesh, order.path.front(), picked.surfaces);
   if (std::get<std::string>(values.at("mode")) == "add")
     order.mode = boolean_mode::add;

@@ -72,6 +72,17 @@ TEST_F(SweepAlong, AClosedPathGoesAllRound) {
   EXPECT_NEAR(result->volume_change, -(0.7 * 0.7 - 0.5 * 0.5) * 0.05, 1e-12);
 }
 
+/// A profile of 40 m takes all of the block between its ends, and no longer to do so.
+TEST_F(SweepAlong, AProfileFarLargerThanThePartIsAnsweredAtOnce) {
+  const auto result = sweep({{"size", 40.0},
+                             {"profile", std::string("circle")},
+                             {"path", std::string("-0.1, 0.2, 0.5; 0.8, 0.2, 0.5")}});
+
+  ASSERT_TRUE(result) << render(result.error());
+  expect_good(block_, *result);
+  EXPECT_NEAR(result->volume_change, -0.8 * 0.5, 1e-9);
+}
+
 TEST_F(SweepAlong, WhatCannotBeIsRefusedAndSaysWhy) {
   const auto refusal = [&](const parameters& changed) {
     const auto result = sweep(changed);
