@@ -632,6 +632,14 @@
         <source>x; y; z in %1</source>
         <translation>x; y; z in %1</translation>
     </message>
+    <message>
+        <source>numbers, between semicolons</source>
+        <translation>Zahlen, mit Strichpunkten dazwischen</translation>
+    </message>
+    <message>
+        <source>in %1, between semicolons</source>
+        <translation>in %1, mit Strichpunkten dazwischen</translation>
+    </message>
 </context>
 <context>
     <name>operations</name>
@@ -1112,10 +1120,6 @@
         <translation>Behalten</translation>
     </message>
     <message>
-        <source>Select a wall and give an offset to cut a slice off, or give any plane by a point and its normal. The cut is a surface of its own.</source>
-        <translation>Wählen Sie eine Fläche und einen Abstand, um eine Scheibe abzuschneiden, oder geben Sie eine Ebene durch einen Punkt und ihre Normale an. Der Schnitt wird eine eigene Fläche.</translation>
-    </message>
-    <message>
         <source>Pocket</source>
         <translation>Tasche</translation>
     </message>
@@ -1504,10 +1508,6 @@
         <translation>Wiederholt ein Loch, eine Tasche, einen Nocken oder eine Rippe in Reihen, um eine Achse oder gespiegelt.</translation>
     </message>
     <message>
-        <source>Pick one wall: the rest of the hole or boss is found. The one that is there counts: a count of 4 adds three. A through hole goes through everywhere. Where one of the copies cannot be, none is made, and the answer names it.</source>
-        <translation>Eine Wand auswählen: Der Rest des Lochs oder Nockens wird gefunden. Das vorhandene zählt mit: Eine Anzahl von 4 fügt drei hinzu. Ein Durchgangsloch geht überall durch. Wo eine der Kopien nicht sein kann, wird keine gemacht, und die Antwort nennt sie.</translation>
-    </message>
-    <message>
         <source>both</source>
         <translation>beide</translation>
     </message>
@@ -1738,6 +1738,62 @@
     <message>
         <source>Pick two walls of an inner corner, as those of a bracket, for a triangular rib; or two walls that face each other for a plate between them. Its sides are surfaces of their own.</source>
         <translation>Zwei Wände einer inneren Ecke auswählen, wie die eines Winkels, für eine dreieckige Rippe; oder zwei einander zugewandte Wände für eine Platte dazwischen. Ihre Seiten sind eigene Flächen.</translation>
+    </message>
+    <message>
+        <source>Ring: a point of the axis and its direction, or what of the part has them: instead of place and direction.</source>
+        <translation>Ring: ein Punkt der Achse und ihre Richtung, oder was am Teil sie hat: statt Ort und Richtung.</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>Mirror: a point of the plane and its normal, or what of the part has them: instead of place and direction.</source>
+        <translation>Spiegel: ein Punkt der Ebene und ihre Normale, oder was am Teil sie hat: statt Ort und Richtung.</translation>
+    </message>
+    <message>
+        <source>Distances</source>
+        <translation>Abstände</translation>
+    </message>
+    <message>
+        <source>Rows: how far each copy is from the one that is there, the way that the step goes: instead of the count.</source>
+        <translation>Reihen: wie weit jede Kopie von der vorhandenen entfernt ist, in der Richtung des Schritts: statt der Anzahl.</translation>
+    </message>
+    <message>
+        <source>Angles</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Ring: where each copy is, from the one that is there on: instead of count and angle.</source>
+        <translation>Ring: wo jede Kopie ist, von der vorhandenen an: statt Anzahl und Winkel.</translation>
+    </message>
+    <message>
+        <source>Pick one wall: the rest of the hole or boss is found. The one that is there counts: a count of 4 adds three. Where they are not evenly apart, give distances or angles: one for each copy. The axis of a ring may be a round wall&apos;s, a mirror&apos;s plane a flat wall&apos;s. A through hole goes through everywhere. Where one of the copies cannot be, none is made, and the answer names it.</source>
+        <translation>Eine Wand wählen: der Rest des Lochs oder Zapfens wird gefunden. Das vorhandene zählt mit: eine Anzahl von 4 fügt drei hinzu. Wo sie nicht gleich weit auseinander sind, Abstände oder Winkel angeben: einen für jede Kopie. Die Achse eines Rings kann die einer runden Wand sein, die Ebene eines Spiegels die einer flachen. Ein durchgehendes Loch geht überall durch. Wo eine der Kopien nicht sein kann, wird keine gemacht, und die Antwort nennt sie.</translation>
+    </message>
+    <message>
+        <source>A point of the plane and its normal, or what of the part has them: instead of place and normal.</source>
+        <translation>Ein Punkt der Ebene und ihre Normale, oder was am Teil sie hat: statt Ort und Normale.</translation>
+    </message>
+    <message>
+        <source>Select a wall and give an offset to cut a slice off, or give any plane by a point and its normal, or by a wall or a round edge that lies in it. The cut is a surface of its own.</source>
+        <translation>Eine Wand wählen und einen Versatz angeben, um eine Scheibe abzuschneiden, oder irgendeine Ebene durch einen Punkt und ihre Normale angeben, oder durch eine Wand oder runde Kante, die darin liegt. Der Schnitt ist eine eigene Fläche.</translation>
+    </message>
+    <message>
+        <source>Sweep</source>
+        <translation>Profil ziehen</translation>
+    </message>
+    <message>
+        <source>Carries a profile along a path: cuts a groove or a channel, or adds a bead.</source>
+        <translation>Führt ein Profil an einem Weg entlang: schneidet eine Nut oder einen Kanal, oder fügt eine Raupe hinzu.</translation>
+    </message>
+    <message>
+        <source>The wall that the profile&apos;s height stands on, or none.</source>
+        <translation>Die Wand, auf der die Höhe des Profils steht, oder keine.</translation>
+    </message>
+    <message>
+        <source>Give the path by its points, or pick an edge of the part to go along. The profile&apos;s middle stays on the path, its corners are mitred; a path that ends where it began is closed. Walls and ends are surfaces of their own.</source>
+        <translation>Den Weg durch seine Punkte angeben, oder eine Kante des Teils wählen, an der er entlanggeht. Die Mitte des Profils bleibt auf dem Weg, seine Ecken sind auf Gehrung; ein Weg, der endet, wo er begann, ist geschlossen. Wände und Enden sind eigene Flächen.</translation>
     </message>
 </context>
 <context>
@@ -8899,6 +8955,230 @@
         <source>triangle %1 of the file</source>
         <translation>Dreieck %1 der Datei</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; is a place of a part, and there is no part to look at</source>
+        <translation>„%1“ ist ein Ort eines Teils, und hier ist kein Teil</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; names no place</source>
+        <translation>„%1“ nennt keinen Ort</translation>
+    </message>
+    <message>
+        <source>%1 end</source>
+        <translation>%1, Ende</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 Punkte</translation>
+    </message>
+    <message>
+        <source>%1 start</source>
+        <translation>%1, Anfang</translation>
+    </message>
+    <message>
+        <source>Each takes %1 to %2 %3</source>
+        <translation>Jede nimmt %1 bis %2 %3</translation>
+    </message>
+    <message>
+        <source>For the profile &quot;points&quot;: the corners of the outline on the wall, in the order in which they go around.</source>
+        <translation>Für das Profil „Punkte“: die Ecken des Umrisses auf der Wand, in der Reihenfolge, in der sie herumgehen.</translation>
+    </message>
+    <message>
+        <source>Give each distance or angle once, and none for the one that is there</source>
+        <translation>Jeden Abstand oder Winkel einmal angeben, und keinen für das, was da ist</translation>
+    </message>
+    <message>
+        <source>Give each point once</source>
+        <translation>Jeden Punkt einmal angeben</translation>
+    </message>
+    <message>
+        <source>Give its points</source>
+        <translation>Seine Punkte angeben</translation>
+    </message>
+    <message>
+        <source>Give its points, path_mm=0,0,10;40,0,10, or an edge of the part, path=edge:3,7</source>
+        <translation>Seine Punkte angeben, path_mm=0,0,10;40,0,10, oder eine Kante des Teils, path=edge:3,7</translation>
+    </message>
+    <message>
+        <source>Give points that lie around an area of the wall</source>
+        <translation>Punkte angeben, die um ein Stück der Wand liegen</translation>
+    </message>
+    <message>
+        <source>Give the corners: points_mm=0,0,10;20,0,10;20,15,10</source>
+        <translation>Die Ecken angeben: points_mm=0,0,10;20,0,10;20,15,10</translation>
+    </message>
+    <message>
+        <source>Give the numbers of the place that is meant</source>
+        <translation>Die Zahlen des gemeinten Orts angeben</translation>
+    </message>
+    <message>
+        <source>Give the plane alone, or the place and the direction</source>
+        <translation>Die Ebene allein angeben, oder Ort und Richtung</translation>
+    </message>
+    <message>
+        <source>Give the points in the order in which they go around</source>
+        <translation>Die Punkte in der Reihenfolge angeben, in der sie herumgehen</translation>
+    </message>
+    <message>
+        <source>Give the step, whose length then means nothing: step=1,0,0</source>
+        <translation>Den Schritt angeben, dessen Länge dann nichts bedeutet: step=1,0,0</translation>
+    </message>
+    <message>
+        <source>Let it turn by less than 150 degrees at a point</source>
+        <translation>Ihn an einem Punkt um weniger als 150 Grad abbiegen lassen</translation>
+    </message>
+    <message>
+        <source>Make the profile smaller, or the bend wider</source>
+        <translation>Das Profil kleiner machen, oder die Biegung weiter</translation>
+    </message>
+    <message>
+        <source>Name three surfaces or more that have one corner in common</source>
+        <translation>Drei oder mehr Flächen nennen, die eine Ecke gemeinsam haben</translation>
+    </message>
+    <message>
+        <source>Name two surfaces that meet</source>
+        <translation>Zwei Flächen nennen, die zusammenstoßen</translation>
+    </message>
+    <message>
+        <source>Set profile=points, or leave the points out</source>
+        <translation>profile=points setzen, oder die Punkte weglassen</translation>
+    </message>
+    <message>
+        <source>Write surface:12, edge:3,7 or corner:3,7,9</source>
+        <translation>surface:12, edge:3,7 oder corner:3,7,9 schreiben</translation>
+    </message>
+    <message>
+        <source>a path has two points or more</source>
+        <translation>ein Weg hat zwei Punkte oder mehr</translation>
+    </message>
+    <message>
+        <source>a plane is given, and a place or a direction beside it</source>
+        <translation>eine Ebene ist angegeben, und daneben ein Ort oder eine Richtung</translation>
+    </message>
+    <message>
+        <source>at its point %1 the path %2</source>
+        <translation>an seinem Punkt %1: der Weg %2</translation>
+    </message>
+    <message>
+        <source>between its points %1 and %2 the path bends too narrowly for what is carried along it</source>
+        <translation>zwischen seinen Punkten %1 und %2: der Weg biegt sich zu eng für das, was an ihm entlanggeführt wird</translation>
+    </message>
+    <message>
+        <source>it has %1 points, and takes %2 to %3</source>
+        <translation>es sind %1 Punkte, erlaubt sind %2 bis %3</translation>
+    </message>
+    <message>
+        <source>it has more than %1 numbers</source>
+        <translation>es sind mehr als %1 Zahlen</translation>
+    </message>
+    <message>
+        <source>it is a point and a direction, as &quot;0, 0, 1; 0, 0, 1&quot;</source>
+        <translation>es ist ein Punkt und eine Richtung, wie „0, 0, 1; 0, 0, 1“</translation>
+    </message>
+    <message>
+        <source>it is a point and a normal, as &quot;0, 0, 1; 0, 0, 1&quot;</source>
+        <translation>es ist ein Punkt und eine Normale, wie „0, 0, 1; 0, 0, 1“</translation>
+    </message>
+    <message>
+        <source>it is numbers, as &quot;0.5, 1, 2&quot;</source>
+        <translation>es sind Zahlen, wie „0.5, 1, 2“</translation>
+    </message>
+    <message>
+        <source>it is points of three numbers each, as &quot;0, 0, 0; 1, 0, 0; 1, 2.5, 0&quot;</source>
+        <translation>es sind Punkte aus je drei Zahlen, wie „0, 0, 0; 1, 0, 0; 1, 2.5, 0“</translation>
+    </message>
+    <message>
+        <source>it names more than %1 places</source>
+        <translation>es nennt mehr als %1 Orte</translation>
+    </message>
+    <message>
+        <source>its direction is 0, 0, 0</source>
+        <translation>die Richtung ist 0, 0, 0</translation>
+    </message>
+    <message>
+        <source>its normal is 0, 0, 0</source>
+        <translation>die Normale ist 0, 0, 0</translation>
+    </message>
+    <message>
+        <source>no path was given</source>
+        <translation>es wurde kein Weg angegeben</translation>
+    </message>
+    <message>
+        <source>no point</source>
+        <translation>keinem Punkt</translation>
+    </message>
+    <message>
+        <source>not all of its numbers are finite</source>
+        <translation>nicht alle Zahlen sind endlich</translation>
+    </message>
+    <message>
+        <source>number %1, %2, is out of range</source>
+        <translation>Zahl %1, %2, ist außerhalb der Grenzen</translation>
+    </message>
+    <message>
+        <source>only an edge gives all points of a polyline</source>
+        <translation>nur eine Kante gibt alle Punkte eines Linienzugs</translation>
+    </message>
+    <message>
+        <source>points %1 and %2 are the same</source>
+        <translation>die Punkte %1 und %2 sind derselbe</translation>
+    </message>
+    <message>
+        <source>points are given, and the profile is another one</source>
+        <translation>Punkte sind angegeben, und das Profil ist ein anderes</translation>
+    </message>
+    <message>
+        <source>seen along the direction, the points enclose nothing</source>
+        <translation>entlang der Richtung gesehen umschließen die Punkte nichts</translation>
+    </message>
+    <message>
+        <source>stands still</source>
+        <translation>bleibt stehen</translation>
+    </message>
+    <message>
+        <source>surfaces %1 have no edge in common</source>
+        <translation>die Flächen %1 haben keine Kante gemeinsam</translation>
+    </message>
+    <message>
+        <source>surfaces %1 meet in %2 edges, at %3 and %4</source>
+        <translation>die Flächen %1 stoßen an %2 Kanten zusammen, bei %3 und %4</translation>
+    </message>
+    <message>
+        <source>surfaces %1 meet in %2 edges, at %3 and %4 and others</source>
+        <translation>die Flächen %1 stoßen an %2 Kanten zusammen, bei %3 und %4 und anderen</translation>
+    </message>
+    <message>
+        <source>surfaces %1 meet in %2 points</source>
+        <translation>die Flächen %1 stoßen an %2 Punkten zusammen</translation>
+    </message>
+    <message>
+        <source>surfaces %1 meet in no point</source>
+        <translation>die Flächen %1 stoßen an keinem Punkt zusammen</translation>
+    </message>
+    <message>
+        <source>the outline crosses itself between its points %1 and %2</source>
+        <translation>der Umriss kreuzt sich selbst zwischen seinen Punkten %1 und %2</translation>
+    </message>
+    <message>
+        <source>the profile is to be points, and none were given</source>
+        <translation>das Profil soll aus Punkten sein, und es wurden keine angegeben</translation>
+    </message>
+    <message>
+        <source>turns back</source>
+        <translation>kehrt um</translation>
+    </message>
+    <message>
+        <source>two copies would lie in the same place</source>
+        <translation>zwei Kopien lägen am selben Ort</translation>
+    </message>
+    <message>
+        <source>what is there is neither flat, round nor straight, and has no direction</source>
+        <translation>was dort ist, ist weder flach noch rund noch gerade, und hat keine Richtung</translation>
+    </message>
+    <message>
+        <source>which way the distances go is not given</source>
+        <translation>in welche Richtung die Abstände gehen, ist nicht angegeben</translation>
+    </message>
 </context>
 <context>
     <name>server_lists</name>
@@ -9110,6 +9390,41 @@ TEdit ist freie Software unter der GNU Affero General Public License, Version 3 
     <message>
         <source>For</source>
         <translation>Wofür</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::axis_field</name>
+    <message>
+        <source>Click a wall or an edge of the part that has it</source>
+        <translation>Eine Wand oder Kante des Teils anklicken, die sie hat</translation>
+    </message>
+    <message>
+        <source>through x; y; z in %1</source>
+        <translation>durch x; y; z in %1</translation>
+    </message>
+    <message>
+        <source>A point of the axis</source>
+        <translation>Ein Punkt der Achse</translation>
+    </message>
+    <message>
+        <source>A point of the plane</source>
+        <translation>Ein Punkt der Ebene</translation>
+    </message>
+    <message>
+        <source>along x; y; z</source>
+        <translation>entlang x; y; z</translation>
+    </message>
+    <message>
+        <source>normal x; y; z</source>
+        <translation>Normale x; y; z</translation>
+    </message>
+    <message>
+        <source>Direction of the axis</source>
+        <translation>Richtung der Achse</translation>
+    </message>
+    <message>
+        <source>Normal of the plane</source>
+        <translation>Normale der Ebene</translation>
     </message>
 </context>
 <context>
@@ -10759,6 +11074,21 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
     <message>
         <source>forbid the edit</source>
         <translation>verbieten die Änderung</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::polyline_field</name>
+    <message>
+        <source>Click an edge of the part to go along</source>
+        <translation>Eine Kante des Teils anklicken, an der es entlanggeht</translation>
+    </message>
+    <message>
+        <source>x; y; z in %1, a line for each point</source>
+        <translation>x; y; z in %1, eine Zeile für jeden Punkt</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
     </message>
 </context>
 <context>
