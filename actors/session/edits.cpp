@@ -12,6 +12,7 @@
 #include "base/logging/logging.hpp"
 #include "mesh/edit_overlap.hpp"
 #include "mesh/formats.hpp"
+#include "ops/loader/picks.hpp"
 #include "protocol/forms.hpp"
 
 namespace tedit::actors {
@@ -50,10 +51,22 @@ std::string list_of(const std::vector<surface_id>& surfaces) {
   return text + (surfaces.size() > most ? ", ..." : "");
 }
 
+/// All surfaces that a request names: those of its selection, and those by which its places are
+/// given.
+std::vector<surface_id> surfaces_named_by(const edit_request& wanted) {
+  auto all = wanted.surfaces;
+  for (const auto& [id, value] : wanted.parameters)
+    if (const auto* text = std::get_if<std::string>(&value)) {
+      const auto more = ops::surfaces_of_picks(*text);
+      all.insert(all.end(), more.begin(), more.end());
+    }
+  return all;
+}
+
 /// What an edit that is carried over met, as the end of a sentence about the head.
 std::string words_of(const edit_overlap& met) {
   if (!met.reshaped.empty())
-    return "; since then " + list_of(met.reshaped) + " of the selection " +
+    return "; since then " + list_of(met.reshaped) + " that the edit names " +
            (met.reshaped.size() == 1 ? "was" : "were") + " changed";
   return "; since then " + std::to_string(met.tets) + " of the tets that the edit would change " +
          (met.tets == 1 ? "was" : "were") + " changed" +
@@ -207,7 +220,7 @@ void session_state::commit_edit(const std::shared_ptr<edit_run>& run,
   const auto& request = run->request;
   if (run->seen) {
     const auto met =
-      overlap_of(*run->seen, *graph.head()->mesh, *made.mesh, request.wanted.surfaces);
+      overlap_of(*run->seen, *graph.head()->mesh, *made.mesh, surfaces_named_by(request.wanted));
     if (!met.none()) {
       numbers::carried_over(false).add();
       run->promise.deliver(other_head(request.terms, words_of(met)));

@@ -144,6 +144,19 @@ bool is_pick(std::string_view text) {
                              [&](const char* word) { return plain.starts_with(word); });
 }
 
+std::vector<surface_id> surfaces_of_picks(std::string_view text) {
+  std::vector<surface_id> all;
+  while (!text.empty()) {
+    const auto one = text.substr(0, text.find(';'));
+    text.remove_prefix(std::min(text.size(), one.size() + 1));
+    if (!is_pick(one))
+      continue;
+    if (const auto ids = ids_in(one.substr(one.find(':') + 1)))
+      all.insert(all.end(), ids->begin(), ids->end());
+  }
+  return all;
+}
+
 expected<picked_place> find_pick(const mesh_version& mesh, std::string_view text) {
   const auto plain = trimmed(text);
   const auto colon = std::min(plain.find(':'), plain.size());

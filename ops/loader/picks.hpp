@@ -9,6 +9,10 @@ namespace tedit::ops {
 /// Whether a text names a place of the part instead of numbers. That it is there is not said.
 [[nodiscard]] bool is_pick(std::string_view text);
 
+/// The surfaces by which a text, or several with semicolons between, names places of the part; none
+/// where it has numbers only. That they are there is not said.
+[[nodiscard]] std::vector<surface_id> surfaces_of_picks(std::string_view text);
+
 /// What there is at a place of the part.
 struct picked_place {
   vec3

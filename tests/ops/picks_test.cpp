@@ -96,6 +96,13 @@ void expect_point(const version_ptr& mesh, const std::string& id, const std::str
     << id << " = " << pick;
 }
 
+TEST(Picks, TheSurfacesOfATextAreThoseOfItsPlaces) {
+  EXPECT_THAT(surfaces_of_picks("1, 2, 3; surface:12;edge:3, 7"), testing::ElementsAre(12, 3, 7));
+  EXPECT_THAT(surfaces_of_picks(" corner:-1,2,3"), testing::ElementsAre(-1, 2, 3));
+  for (const auto* none : {"", "1, 2.5, 0", "a surface:12", "edge:", "surface:x", ";;"})
+    EXPECT_THAT(surfaces_of_picks(none), testing::IsEmpty()) << none;
+}
+
 TEST(Picks, AFlatWallIsItsMiddleAndItsNormal) {
   const axis_value low{{0, 0.015, 0.01}, {-1, 0, 0}};
 

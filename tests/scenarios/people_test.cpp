@@ -124,7 +124,7 @@ TEST_F(People, AnEditOfAWallThatWasChangedIsRefusedAndNothingIsDone) {
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ec::conflict) << render(refused.error());
   EXPECT_THAT(refused.error().message,
-              HasSubstr("surface " + std::to_string(walls.front()) + " of the selection"));
+              HasSubstr("surface " + std::to_string(walls.front()) + " that the edit names"));
   ASSERT_TRUE(refused.error().rival);
   EXPECT_EQ(refused.error().rival->client, "ann");
   EXPECT_EQ(value(bob->get_history()).versions.size(), 2U);

@@ -55,7 +55,14 @@ TEST_F(People, AnEditOfASelectedWallThatWasChangedIsRefused) {
   const auto other = edit_at(6, carried(), {2});
   finish({"edit", "check"});
   EXPECT_EQ(other.refusal().code, ec::conflict);
-  EXPECT_THAT(other.refusal().message, HasSubstr("surface 2 of the selection was changed"));
+  EXPECT_THAT(other.refusal().message, HasSubstr("surface 2 that the edit names was changed"));
+
+  auto by_place = edit_by(.1, carried());
+  by_place.wanted.parameters["vertex"] = 6.;
+  by_place.wanted.parameters["at"] = std::string("1, 2, 3; surface:2");
+  const auto placed = request<head_moved>(by_place);
+  finish({"edit", "check"});
+  EXPECT_THAT(placed.refusal().message, HasSubstr("surface 2 that the edit names was changed"));
 
   const auto same = edit_at(6, carried(), {1});
   finish({"edit", "check", "commit"});
