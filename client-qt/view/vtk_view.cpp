@@ -133,9 +133,9 @@ void vtk_view::wait() {
   collect();
 }
 
-void vtk_view::draw_aside(std::function<void(vtkRenderer&)> before,
-                          std::function<void(vtkRenderer&)> after,
-                          std::function<void(const QImage&)> then) {
+void vtk_view::draw_aside(const std::function<void(vtkRenderer&)>& before,
+                          const std::function<void(vtkRenderer&)>& after,
+                          const std::function<void(const QImage&)>& then) {
   if (!canvas_)
     return;
   const int dpi = qRound(96.0 * image_.width() / std::max(1, width()));

@@ -62,8 +62,9 @@ protected:
   void change(std::function<void(vtkRenderer&)> what);
   /// Draws the last frame once more, changed by `before`, for `then`; not on the screen. `after`
   /// undoes the change.
-  void draw_aside(std::function<void(vtkRenderer&)> before, std::function<void(vtkRenderer&)> after,
-                  std::function<void(const QImage&)> then);
+  void draw_aside(const std::function<void(vtkRenderer&)>& before,
+                  const std::function<void(vtkRenderer&)>& after,
+                  const std::function<void(const QImage&)>& then);
   /// A frame begins: the last moment for a change that shall be in it.
   virtual void about_to_draw() {}
   /// The frame that was begun last is there.

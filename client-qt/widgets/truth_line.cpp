@@ -192,18 +192,20 @@ void truth_line::refresh_others() {
   others_->setToolTip(lines.join("\n"));
 }
 
+QColor truth_line::ink_of(const QString& verdict) const {
+  const auto progress = candidate_ ? field_state::interim : part_.solver().progress();
+  if (progress == field_state::none)
+    return look_.palette.color(QPalette::WindowText);
+  if (progress == field_state::failed)
+    return look_.error;
+  const bool good = progress == field_state::converged && verdict == tr("final");
+  return good ? look_.good : look_.warning;
+}
+
 void truth_line::refresh() {
   const QString now = verdict();
-  QColor ink = look_.palette.color(QPalette::WindowText);
-  if (candidate_)
-    ink = look_.warning;
-  else if (part_.solver().progress() == field_state::converged)
-    ink = now == tr("final") ? look_.good : look_.warning;
-  else if (part_.solver().progress() == field_state::failed)
-    ink = look_.error;
-  else if (part_.solver().progress() != field_state::none)
-    ink = look_.warning;
-  const auto style = QString("font-weight: 600; color: %1; padding-left: 8px;").arg(ink.name());
+  const auto style =
+    QString("font-weight: 600; color: %1; padding-left: 8px;").arg(ink_of(now).name());
   if (verdict_->styleSheet() != style)  // Else it were polished anew every few seconds.
     verdict_->setStyleSheet(style);
   verdict_->setText(now);

@@ -35,6 +35,7 @@ private:
   [[nodiscard]] QString facts() const;
   [[nodiscard]] QString server() const;
   void refresh_others();
+  [[nodiscard]] QColor ink_of(const QString& verdict) const;
 
   document& part_;
   remote& link_;

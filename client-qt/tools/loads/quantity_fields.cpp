@@ -13,11 +13,12 @@ namespace tedit::desktop {
 
 static const QString widest_unit = QString::fromUtf8("kg/m³");  ///< Fields end below each other.
 
-quantity_field::quantity_field(const QString& name, const QString& accessible, QString si_unit)
+quantity_field::quantity_field(const QString& name, const QString& accessible,
+                               const QString& si_unit)
     : what_(accessible) {
   setObjectName(name);
   setMinimumSize(44, sizeHint().height());  // The form is cut off before they are.
-  set_unit(std::move(si_unit));
+  set_unit(si_unit);
 }
 
 void quantity_field::set_unit(const QString& si_unit) {

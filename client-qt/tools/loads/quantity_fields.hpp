@@ -18,7 +18,7 @@ class quantity_field : public QLineEdit {
 
 public:
   /// `accessible` says what it is without its unit.
-  quantity_field(const QString& name, const QString& accessible, QString si_unit);
+  quantity_field(const QString& name, const QString& accessible, const QString& si_unit);
 
   void set_unit(const QString& si_unit);
   [[nodiscard]] const QString& si_unit() const { return si_unit_; }

@@ -215,7 +215,7 @@ void results_summary_tool::write_report(const QString& path) {
                      "Wait for it: \"What runs\" (J) shows how far it is", path.toStdString()});
     return;
   }
-  report_.emplace();
+  report_ = pending_report();
   report_->path = path;
   report_->facts = facts_of(in_.part, QDateTime::currentDateTime());
   report_->job = in_.part.work().begin(tr("Report"), {});
