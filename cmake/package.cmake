@@ -25,7 +25,7 @@ set(CPACK_DEBIAN_TEDIT_PACKAGE_DEPENDS "libvulkan1, fonts-dejavu-core")
 set(CPACK_DEBIAN_TEDIT_PACKAGE_RECOMMENDS "mesa-vulkan-drivers, xvfb, qt6-translations-l10n")
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
     "tedit (= ${PROJECT_VERSION}), g++, cmake (>= 3.25), libexpected-dev, libeigen3-dev, libcgal-dev, libpugixml-dev, zlib1g-dev, libgtest-dev, libprotobuf-dev, protobuf-compiler, libcaf-dev, libssl-dev, libspdlog-dev, libzstd-dev, pkg-config")
-set(CPACK_DEBIAN_DEV_PACKAGE_RECOMMENDS "python3-numpy, python3-protobuf, python3-websockets")
+set(CPACK_DEBIAN_DEV_PACKAGE_RECOMMENDS "libfreetype-dev, python3-numpy, python3-protobuf, python3-websockets")
 set(CPACK_COMPONENT_DEV_DESCRIPTION "Headers, libraries and CMake files to build plugins for TEdit, and programs that drive its server.")
 
 include(CPack)

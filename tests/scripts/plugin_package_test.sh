@@ -20,8 +20,9 @@ tedit=$work/prefix/bin/tedit
 # Headers: those that the manual names and what these include; each is whole, also for who has all warnings on.
 headers=$work/prefix/include/tedit
 cd "$headers"
-[ "$(find ops -type f | LC_ALL=C sort | tr '\n' ' ')" = "ops/mesher/mesher.hpp ops/sdk/operation.hpp ops/services/host_services.hpp\
- ops/tools/local_size.hpp ops/tools/tools.hpp " ] ||
+[ "$(find ops -type f | LC_ALL=C sort | tr '\n' ' ')" = "ops/mesher/mesher.hpp ops/sdk/description.hpp ops/sdk/operation.hpp\
+ ops/services/host_services.hpp ops/tools/files/surface_file.hpp ops/tools/local_size.hpp ops/tools/sweep.hpp\
+ ops/tools/text/text_outlines.hpp ops/tools/tools.hpp " ] ||
   { echo "other headers of operations are installed:" >&2; find ops -type f >&2; exit 1; }
 for header in $(grep -oE '`(base|mesh|ops|tests)/[a-z_/]+\.hpp`' "$source/docs/plugins.md" | tr -d '`' | sort -u) \
   $(grep -rhoE '^#include "[^"]+"' . | cut -d'"' -f2 | sort -u); do
