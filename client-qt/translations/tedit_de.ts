@@ -3881,7 +3881,7 @@
     </message>
     <message>
         <source>face %1-%2-%3</source>
-        <translation>Dreieck %1-%2-%3</translation>
+        <translation>Seite %1-%2-%3</translation>
     </message>
     <message>
         <source>facet %1 to cover does not exist</source>
