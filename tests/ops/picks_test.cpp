@@ -10,6 +10,7 @@
 
 #include "mesh/io/import.hpp"
 #include "ops/loader/catalogue.hpp"
+#include "ops/loader/picks.hpp"
 #include "ops/services/host_services.hpp"
 #include "tests/support/meshes.hpp"
 #include "tests/support/parts.hpp"
@@ -97,10 +98,11 @@ void expect_point(const version_ptr& mesh, const std::string& id, const std::str
 }
 
 TEST(Picks, TheSurfacesOfATextAreThoseOfItsPlaces) {
-  EXPECT_THAT(surfaces_of_picks("1, 2, 3; surface:12;edge:3, 7"), testing::ElementsAre(12, 3, 7));
-  EXPECT_THAT(surfaces_of_picks(" corner:-1,2,3"), testing::ElementsAre(-1, 2, 3));
+  EXPECT_THAT(ops::surfaces_of_picks("1, 2, 3; surface:12;edge:3, 7"),
+              testing::ElementsAre(12, 3, 7));
+  EXPECT_THAT(ops::surfaces_of_picks(" corner:-1,2,3"), testing::ElementsAre(-1, 2, 3));
   for (const auto* none : {"", "1, 2.5, 0", "a surface:12", "edge:", "surface:x", ";;"})
-    EXPECT_THAT(surfaces_of_picks(none), testing::IsEmpty()) << none;
+    EXPECT_THAT(ops::surfaces_of_picks(none), testing::IsEmpty()) << none;
 }
 
 TEST(Picks, AFlatWallIsItsMiddleAndItsNormal) {
