@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -10,6 +11,16 @@ namespace tedit {
 /// Whether the bytes are UTF-8: no stray or missing bytes, no surrogates, nothing longer than it
 /// needs to be, nothing above U+10FFFF. Cost: O(bytes).
 [[nodiscard]] bool is_utf8(std::string_view text) noexcept;
+
+/// The text without the mark of UTF-8 that some programs put before it.
+[[nodiscard]] constexpr std::string_view without_mark(std::string_view text) noexcept {
+  constexpr std::string_view mark = "\xEF\xBB\xBF";
+  return text.starts_with(mark) ? text.substr(mark.size()) : text;
+}
+
+[[nodiscard]] constexpr std::span<const char> without_mark(std::span<const char> bytes) noexcept {
+  return bytes.last(without_mark(std::string_view(bytes.data(), bytes.size())).size());
+}
 
 /// The text as UTF-8: each byte that belongs to no character becomes U+FFFD. What is UTF-8 stays.
 [[nodiscard]] std::string to_utf8(std::string_view text);

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
+#include <system_error>
 #include <thread>
 
 namespace tedit {
@@ -25,10 +26,15 @@ clock::time_point after(double seconds) {
 
 struct time_limit::impl {
   impl(const cancel_token& asked, double seconds) : asked(asked), end(after(seconds)) {
-    if (is_over())
+    if (is_over()) {
       work.cancel();
-    else
+      return;
+    }
+    try {
       watcher = std::jthread([this](const std::stop_token& stop) { watch(stop); });
+    } catch (const std::system_error&) {
+      work.cancel();  // What nothing watches may not go on for ever.
+    }
   }
 
   [[nodiscard]] bool is_over() const { return clock::now() >= end; }

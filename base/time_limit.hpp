@@ -9,7 +9,8 @@ namespace tedit {
 
 /// A token for work that may take only so long: cancelled within 20 ms of the end of that time, or
 /// of a cancel of `asked`. Two tokens, as the work's end is not that of whoever asked for it.
-/// Cost: a thread that sleeps while this lives.
+/// Cost: a thread that sleeps while this lives; where the system gives none, the time is over at
+/// once.
 class time_limit {
 public:
   /// `seconds`: from now, wall clock. 0 or less: over at once.

@@ -247,13 +247,12 @@ namespace {
 
 /// What is no text of UTF-8 is told as such: the parser's words name letters that nobody sees.
 expected<std::string_view> as_text(std::string_view json, const std::string& source) {
-  constexpr std::string_view mark = "\xEF\xBB\xBF";
   if (json.empty())
     return fail(ec::bad_input, "this is no load case: it is empty", "Write the file again", source);
   if (!is_utf8(json))
     return fail(ec::bad_input, "this is no load case: it is no text in UTF-8",
                 "Save it as UTF-8, or choose a file of JSON", source);
-  return json.starts_with(mark) ? json.substr(mark.size()) : json;
+  return without_mark(json);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "actors/store/store.hpp"
 #include "actors/versions.hpp"
 #include "base/logging/logging.hpp"
+#include "base/text.hpp"
 #include "mesh/edit_overlap.hpp"
 #include "mesh/formats.hpp"
 #include "ops/loader/picks.hpp"
@@ -43,12 +44,12 @@ asked_change asked_by(const move_request& request) {
   return {request.kind == move_kind::undo ? "undo" : "redo", "{}"};
 }
 
-std::string list_of(const std::vector<surface_id>& surfaces) {
+/// "surfaces 3, 17": as many as a sentence has room for.
+std::string words_of(const std::vector<surface_id>& surfaces) {
   constexpr std::size_t most = 8;
-  std::string text = surfaces.size() == 1 ? "surface " : "surfaces ";
-  for (std::size_t i = 0; i < std::min(surfaces.size(), most); ++i)
-    text += (i ? ", " : "") + std::to_string(surfaces[i]);
-  return text + (surfaces.size() > most ? ", ..." : "");
+  const auto first = std::span(surfaces).first(std::min(surfaces.size(), most));
+  return (surfaces.size() == 1 ? "surface " : "surfaces ") + list_of(first) +
+         (surfaces.size() > most ? ", ..." : "");
 }
 
 /// All surfaces that a request names: those of its selection, and those by which its places are
@@ -66,11 +67,11 @@ std::vector<surface_id> surfaces_named_by(const edit_request& wanted) {
 /// What an edit that is carried over met, as the end of a sentence about the head.
 std::string words_of(const edit_overlap& met) {
   if (!met.reshaped.empty())
-    return "; since then " + list_of(met.reshaped) + " that the edit names " +
+    return "; since then " + words_of(met.reshaped) + " that the edit names " +
            (met.reshaped.size() == 1 ? "was" : "were") + " changed";
   return "; since then " + std::to_string(met.tets) + " of the tets that the edit would change " +
          (met.tets == 1 ? "was" : "were") + " changed" +
-         (met.surfaces.empty() ? std::string() : ", at " + list_of(met.surfaces));
+         (met.surfaces.empty() ? std::string() : ", at " + words_of(met.surfaces));
 }
 
 bool keeps_fields(const std::string& format) {
@@ -180,6 +181,8 @@ void session_state::begin_edit(const std::shared_ptr<edit_run>& run) {
   with_mesh(
     run->seen_number,
     [=, this](const version_ptr& mesh) {
+      if (running->cancelled)
+        return refuse_edit(run, {ec::cancelled, "the edit was cancelled", {}, {}});
       run->seen = mesh;
       make_edit(run);
     },

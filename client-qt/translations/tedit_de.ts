@@ -9179,6 +9179,14 @@
         <source>which way the distances go is not given</source>
         <translation>in welche Richtung die Abstände gehen, ist nicht angegeben</translation>
     </message>
+    <message>
+        <source>surface %1, ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>surfaces %1, ...</source>
+        <translation>Flächen %1, ...</translation>
+    </message>
 </context>
 <context>
     <name>server_lists</name>

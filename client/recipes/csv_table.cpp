@@ -140,8 +140,7 @@ std::string line_of_other_bytes(std::string_view text) {
 }
 
 csv_table table_from(std::string_view text) {
-  if (text.starts_with("\xEF\xBB\xBF"))
-    text.remove_prefix(3);
+  text = without_mark(text);
   if (!is_utf8(text) || text.find('\0') != std::string_view::npos)
     refuse(line_of_other_bytes(text), "Save it as \"CSV UTF-8\"");
   csv_reader in(text);

@@ -78,12 +78,6 @@ std::optional<error> about_text(std::string_view text) {
 
 }  // namespace
 
-std::span<const char> without_mark(std::span<const char> bytes) {
-  constexpr auto mark = "\xEF\xBB\xBF"sv;
-  const std::string_view text(bytes.data(), bytes.size());
-  return text.starts_with(mark) ? bytes.subspan(mark.size()) : bytes;
-}
-
 std::optional<error> foreign_file(std::span<const char> bytes) {
   const std::string_view text(bytes.data(), bytes.size());
   if (auto about = about_text(text))

@@ -8,9 +8,6 @@
 
 namespace tedit {
 
-/// The bytes without the mark of UTF-8 that some editors put before a text.
-[[nodiscard]] std::span<const char> without_mark(std::span<const char> bytes);
-
 /// Why bytes are no mesh and no surface, where they are plainly something else: nothing at all,
 /// blanks alone, text in UTF-16, a picture, a web page that was saved in place of a file, a pointer
 /// of Git LFS, another program's format. Its code is `bad_input` or `unsupported_format`, its

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "mesh/io/formats.hpp"
 
+#include "base/text.hpp"
 #include "mesh/io/foreign_file.hpp"
 
 namespace tedit {

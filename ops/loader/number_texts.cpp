@@ -5,7 +5,6 @@
 #include <charconv>
 #include <cmath>
 
-#include "base/number_range.hpp"
 #include "ops/loader/picks.hpp"
 
 namespace tedit::ops {
@@ -204,8 +203,9 @@ expected<void> check_polyline(const parameter_description& p, const number_group
 expected<void> check_list(const parameter_description& p, const number_group& numbers) {
   if (numbers.size() > most_items)
     return wrong_value(p, "it has more than " + std::to_string(most_items) + " numbers");
+  const auto range = range_of(p);
   for (std::size_t i = 0; i < numbers.size(); ++i)
-    if (numbers[i] < p.min.value_or(-largest_number) || numbers[i] > p.max.value_or(largest_number))
+    if (numbers[i] < range.least || numbers[i] > range.most)
       return wrong_value(p, "number " + std::to_string(i + 1) + ", " + number_text(numbers[i]) +
                               ", is out of range");
   return {};
@@ -251,6 +251,10 @@ std::optional<std::string> text_of(const parameter_description& p, const paramet
 
 }  // namespace
 
+number_range range_of(const parameter_description& p) {
+  return {p.min.value_or(-largest_number), p.max.value_or(largest_number), p.unit};
+}
+
 bool is_number_text(parameter_type type) {
   switch (type) {
     case parameter_type::point:
@@ -274,9 +278,11 @@ bool has_lengths(const parameter_description& p) {
 tl::unexpected<error> wrong_value(const parameter_description& p, const std::string& why) {
   std::string remedy = p.help;
   const bool list = p.type == parameter_type::list && (p.min || p.max);
-  if (list || p.type == parameter_type::integer || p.type == parameter_type::real)
-    remedy = (list ? "Each takes " : "It takes ") + number_text(p.min.value_or(-largest_number)) +
-             " to " + number_text(p.max.value_or(largest_number)) + " " + p.unit;
+  if (list || p.type == parameter_type::integer || p.type == parameter_type::real) {
+    const auto range = range_of(p);
+    remedy = (list ? "Each takes " : "It takes ") + number_text(range.least) + " to " +
+             number_text(range.most) + " " + range.unit;
+  }
   if (!p.choices.empty()) {
     remedy = "Choose one of";
     for (const auto& choice : p.choices)

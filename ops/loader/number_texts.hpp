@@ -2,9 +2,13 @@
 // Values of the kinds that are numbers in a text: places, ways, axes, planes, polylines, lists.
 #pragma once
 
+#include "base/number_range.hpp"
 #include "ops/sdk/operation.hpp"
 
 namespace tedit::ops {
+
+/// What a number of it may be, in its unit: of an integer, a real, or each number of a list.
+[[nodiscard]] number_range range_of(const parameter_description& p);
 
 /// Whether a value of this kind is numbers in a text.
 [[nodiscard]] bool is_number_text(parameter_type type);

@@ -13,10 +13,6 @@ namespace tedit::ops {
 
 namespace {
 
-number_range range_of(const parameter_description& p) {
-  return {p.min.value_or(-largest_number), p.max.value_or(largest_number), p.unit};
-}
-
 template <class T>
 bool parse_number(const std::string& text, T& value) {
   const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);

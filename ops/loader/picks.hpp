@@ -15,8 +15,8 @@ namespace tedit::ops {
 
 /// What there is at a place of the part.
 struct picked_place {
-  vec3
-    point;  ///< m: half way along the axis of what is round; of an edge and of a wall its middle.
+  /// m: half way along the axis of what is round; of an edge and of a wall its middle.
+  vec3 point;
   vec3 direction;  ///< Unit: of the axis, along a straight edge, across what is flat; else 0.
   std::vector<vec3> polyline = {};  ///< m: of an edge; where it is closed, the first point again.
 };

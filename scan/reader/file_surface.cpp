@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "scan/reader/file_surface.hpp"
 
+#include "base/text.hpp"
 #include "base/units.hpp"
 #include "mesh/io/foreign_file.hpp"
 

@@ -56,6 +56,18 @@ TEST_F(Meshes, OneThatWasLeftLongAgoIsReadAndBecomesTheHead) {
   EXPECT_TRUE(again.is_success()) << "it is worked on as any other";
 }
 
+TEST_F(Meshes, AnEditIsCancelledWhileTheVersionThatItWasMadeForIsRead) {
+  const auto before = head();
+  const auto got = edit(.4, {"ann", {}, id_of(0), true});
+  EXPECT_THAT(tasks(), ElementsAre("load"));
+  cancel(tickets_);
+  finish({"load"});
+
+  EXPECT_EQ(got.refusal().code, ec::cancelled);
+  EXPECT_EQ(head(), before);
+  EXPECT_THAT(tasks(), IsEmpty());
+}
+
 TEST_F(Meshes, OneThatCannotBeReadIsRefusedAndTheHeadStays) {
   const auto moved = move(move_kind::go_to, 0);
   const auto next = edit(.4);
