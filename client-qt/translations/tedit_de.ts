@@ -9181,7 +9181,7 @@
     </message>
     <message>
         <source>surface %1, ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Fläche %1, ...</translation>
     </message>
     <message>
         <source>surfaces %1, ...</source>
