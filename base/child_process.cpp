@@ -128,11 +128,13 @@ private:
   unique_fd wanted_;  ///< Closed: it is ended.
 };
 
+constexpr auto too_long_remedy = "Try again when the machine has less to do, or take other values";
+
 /// Moves bytes both ways until the child closes its output, the time is over or it is cancelled.
 expected<std::vector<char>> exchange(unique_fd& to_child, unique_fd& from_child,
                                      std::span<const char> input,
                                      std::chrono::steady_clock::time_point deadline,
-                                     const execution& run) {
+                                     const std::string& name, const execution& run) {
   std::vector<char> output;
   std::array<char, 65536> buffer;
   while (true) {
@@ -141,7 +143,7 @@ expected<std::vector<char>> exchange(unique_fd& to_child, unique_fd& from_child,
     const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(
       deadline - std::chrono::steady_clock::now());
     if (left.count() <= 0)
-      return fail(ec::timeout, "a helper program did not end within its time limit");
+      return fail(ec::timeout, name + " did not end within its time limit", too_long_remedy);
     if (input.empty())
       to_child.reset();
     std::array<pollfd, 2> ends{{{from_child.get(), POLLIN, 0}, {to_child.get(), POLLOUT, 0}}};
@@ -222,7 +224,7 @@ expected<std::vector<char>> run_child(const std::vector<std::string>& command,
   in->out.reset();
   out->in.reset();
   fcntl(in->in.get(), F_SETFL, O_NONBLOCK);
-  auto output = exchange(in->in, out->out, input, deadline, run);
+  auto output = exchange(in->in, out->out, input, deadline, name, run);
   if (!output)
     child->end();
   const auto status = child->wait();
@@ -233,6 +235,9 @@ expected<std::vector<char>> run_child(const std::vector<std::string>& command,
                 "Try again; the server's log may say more");
   if (const auto deed = misdeed_of(*status))
     return fail(ec::mesher_failed, name + " " + *deed, misdeed_remedy);
+  if (WIFSIGNALED(*status) && WTERMSIG(*status) == SIGPROF)
+    return fail(ec::timeout, name + " found no end in the time that it may compute",
+                "Take other values, or a mesh without slivers there");
   if (WIFSIGNALED(*status))
     return fail(ec::mesher_failed,
                 name + " crashed (signal " + std::to_string(WTERMSIG(*status)) + ")");

@@ -29,8 +29,9 @@ struct child_limits {
 /// Runs a program, feeds it `input` on stdin and returns what it wrote on stdout once it has ended
 /// with status 0. Its stderr goes nowhere. It is killed at the time limit, on cancel, and when this
 /// process dies. A process that may start no program has it started by another
-/// (`start_programs_by`). Errors: `service_unavailable` when it cannot be started, `timeout`,
-/// `cancelled`, `mesher_failed` naming the exit status or signal.
+/// (`start_programs_by`). Errors: `service_unavailable` when it cannot be started, `timeout`, also
+/// where its own timer of processor time ended it (SIGPROF), `cancelled`, `mesher_failed` naming
+/// the exit status or signal.
 [[nodiscard]] expected<std::vector<char>> run_child(const std::vector<std::string>& command,
                                                     std::span<const char> input,
                                                     const child_limits& limits,

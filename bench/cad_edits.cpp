@@ -11,6 +11,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <exception>
 #include <fstream>
 #include <map>
 #include <random>
@@ -294,7 +295,7 @@ void run_features(cad_run& run, const nlohmann::json& features, std::uint64_t se
 }  // namespace
 }  // namespace tedit
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   using namespace tedit;
   if (argc < 5) {
     std::fprintf(stderr, "usage: bench_cad CAD_FILE MESH UNIT FEATURES.json [SEED [new]]\n");
@@ -323,4 +324,7 @@ int main(int argc, char** argv) {
   for (const auto& hole : features["holes"])
     at = run.edit("chain", at, {"fill_hole", ids_of(hole["surfaces"]), {}, {}});
   run.print_sums();
+} catch (const std::exception& why) {
+  std::fprintf(stderr, "%s\n", why.what());
+  return 1;
 }

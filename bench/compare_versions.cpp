@@ -4,6 +4,8 @@
 // of the server, and as files that a client fetches, reads and compares itself. Prints one JSON
 // object with medians in ms and the bytes that a client receives.
 #include <algorithm>
+#include <cstdio>
+#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -114,7 +116,7 @@ json measure(client::client& user, const options& o, const fem::load_case& loads
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   return_large_blocks();
   options o;
   CLI::App app("Two versions compared by the server, and as files");
@@ -159,4 +161,7 @@ int main(int argc, char** argv) {
   }
   std::filesystem::remove_all(folder);
   return status;
+} catch (const std::exception& why) {
+  std::fprintf(stderr, "%s\n", why.what());
+  return 1;
 }

@@ -5,7 +5,9 @@
 // milliseconds of each stage (medians), CPU time and the bytes that went to the device.
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <ctime>
+#include <exception>
 #include <iostream>
 #include <numeric>
 
@@ -193,7 +195,7 @@ expected<void> measure(const version_ptr& base, const fem::load_case& loads,
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   return_large_blocks();
   options o;
   CLI::App app("From an edit to the new field, against a cold solve");
@@ -236,4 +238,7 @@ int main(int argc, char** argv) {
                  .dump(1)
             << '\n';
   return 0;
+} catch (const std::exception& why) {
+  std::fprintf(stderr, "%s\n", why.what());
+  return 1;
 }

@@ -11,6 +11,8 @@
 //   --paper OPERATION IDS [NAME=VALUE]...  one edit: rows as in the paper's Table 1
 // Ends with status 1 when an invariant broke.
 #include <algorithm>
+#include <cstdio>
+#include <exception>
 #include <iostream>
 #include <sstream>
 
@@ -206,7 +208,7 @@ int run(const std::filesystem::path& folder, const std::string& mesh, const std:
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   if (argc < 3) {
     std::cerr << "usage: feature_sweep PART_FOLDER MESH [--sequence | --alone OPERATION | --layers "
                  "| --solve | --cost OPERATION IDS | --paper OPERATION IDS]\n";
@@ -214,4 +216,7 @@ int main(int argc, char** argv) {
   }
   const std::vector<std::string> rest(argv + std::min(argc, 4), argv + argc);
   return run(argv[1], argv[2], argc > 3 ? argv[3] : "", rest);
+} catch (const std::exception& why) {
+  std::fprintf(stderr, "%s\n", why.what());
+  return 1;
 }

@@ -5,7 +5,8 @@
 usage: bench/long_session.py MESH SURFACES [--edits 1000] [--depth-mm .02] [--program build/release/bin/tedit]
 
 Each edit erodes or thickens one of SURFACES (ids with commas) by up to the depth, chosen at random from a fixed seed, and
-the next one of that wall brings it back, so that none wanders away; what is refused is asked for again elsewhere. Printed over the run: median ms of an edit to its answer, the document's size with
+the next one of that wall brings it back, so that none wanders away; where one is refused, a step is undone and another
+one asked for, so that the history is a tree. Printed over the run: median ms of an edit to its answer, the document's size with
 its log, resident memory of the server and of all its workers. Then ms to go to 50 random versions, ms to open the document
 in a new server, and what `doc gc` leaves beside what one version takes.
 """
@@ -75,12 +76,12 @@ async def enter(socket, host):
 
 async def edit_often(server, host, surfaces, given):
     choose = random.Random(7)
-    made, refused, block, away = 0, [], [], {}
+    made, refused, block, away, before = 0, [], [], {}, [(0, {})]
     print("edits  median ms  document MiB  server MiB  workers MiB")
     while made < given.edits:
         surface = choose.choice(surfaces)
         there = (choose.choice(["erode", "thicken"]), given.depth_mm * choose.uniform(.2, 1))
-        operation, depth = away.pop(surface, there)
+        operation, depth = away.get(surface, there)
         parameter = operation_pb2.ParameterValue(real=depth)
         request = dict(operation=operation, surfaces=[surface])
         started = time.perf_counter()
@@ -90,11 +91,16 @@ async def edit_often(server, host, surfaces, given):
             refused.append(time.perf_counter() - started)
             if given.verbose:
                 print(f"after {made} edits {operation} of {surface} by {depth:.4f} mm, {refused[-1]:.1f} s: {why}", file=sys.stderr)
+            if len(before) > 1:  # the version before, and what was away from its place in it
+                before.pop()
+            number, away = before[-1][0], dict(before[-1][1])
+            await server.ask("go_to_version", number=number)
             continue
         block.append((time.perf_counter() - started) * 1e3)
         made += 1
-        if (operation, depth) == there:
+        if away.pop(surface, None) is None:
             away[surface] = ("thicken" if operation == "erode" else "erode", depth)
+        before.append((made, dict(away)))
         if made in (10, 50) or made % 100 == 0:
             memory = host.resident_mib()
             print(f"{made:5}  {statistics.median(block):9.1f}  {host.document_mib():12.1f}  {memory[0]:10.0f}  {memory[1]:11.0f}",

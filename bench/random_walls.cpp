@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <exception>
 #include <random>
 #include <string>
 #include <vector>
@@ -192,7 +193,7 @@ private:
 }  // namespace
 }  // namespace tedit
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   using namespace tedit;
   if (argc < 5) {
     std::fprintf(stderr, "usage: bench_walls MESH UNIT WALLS SEED [SHARE [OPERATION ...]]\n");
@@ -224,4 +225,7 @@ int main(int argc, char** argv) {
   for (const auto& operation : operations)
     walls_run(part, mesh, depth, seed).run(operation, walls);
   return 0;
+} catch (const std::exception& why) {
+  std::fprintf(stderr, "%s\n", why.what());
+  return 1;
 }

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <exception>
 #include <iostream>
 #include <map>
 #include <numbers>
@@ -182,7 +184,7 @@ double percentile(std::vector<double> values, double share) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   std::set<std::string> options(argv + 1, argv + argc);
   if (argc < 2) {
     std::cerr << "usage: round_sweep MESH [close|open] [--every N] [--verbose]\n";
@@ -239,4 +241,7 @@ int main(int argc, char** argv) {
     std::cout << '\n';
   }
   return faults > 0 ? 1 : 0;
+} catch (const std::exception& why) {
+  std::fprintf(stderr, "%s\n", why.what());
+  return 1;
 }

@@ -10,7 +10,9 @@
 // file that other solvers read (bench/peers/system.hpp).
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <ctime>
+#include <exception>
 #include <fstream>
 #include <iostream>
 
@@ -77,10 +79,11 @@ fem::case_set make_set(fem::problem p, int count) {
   for (int c = 0; c < count; ++c) {
     fem::conditions one{
       "case " + std::to_string(c), {}, p.loads, p.filter, p.prescribed, p.holders};
+    const int uneven = c / 3;
     for (std::size_t n = 0; n < p.node_count(); ++n)
       for (std::size_t i = 0; i < 3; ++i)
         one.loads[3 * n + i] = p.loads[3 * n + (i + static_cast<std::size_t>(c)) % 3] *
-                               (1 + (c / 3) * std::cos(100 * p.nodes[n].x));
+                               (1 + uneven * std::cos(100 * p.nodes[n].x));
     set.cases.push_back(std::move(one));
   }
   set.problem = std::move(p);
@@ -172,7 +175,7 @@ int write_equations(const fem::problem& p, const std::string& file) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   return_large_blocks();
   std::string mesh_file;
   std::string load_file;
@@ -239,4 +242,7 @@ int main(int argc, char** argv) {
     return stop(runs.error());
   std::cout << describe(set.problem, *runs).dump() << '\n';
   return 0;
+} catch (const std::exception& why) {
+  std::fprintf(stderr, "%s\n", why.what());
+  return 1;
 }

@@ -3,6 +3,8 @@
 // [--repeat N]: the share of the bandwidth of a copy that one product y = K x has. Product and copy
 // take turns; prints one JSON object with the medians.
 #include <algorithm>
+#include <cstdio>
+#include <exception>
 #include <iostream>
 
 #include <sched.h>
@@ -104,7 +106,7 @@ nlohmann::json describe(const fem::problem& p, const std::string& device, int co
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   std::string mesh_file;
   std::string load_file;
   std::string device = "cpu";
@@ -148,4 +150,7 @@ int main(int argc, char** argv) {
     return stop(measured.error());
   std::cout << describe(*p, device, cores, **probe, *measured).dump() << '\n';
   return 0;
+} catch (const std::exception& why) {
+  std::fprintf(stderr, "%s\n", why.what());
+  return 1;
 }

@@ -49,10 +49,10 @@ operation_catalogue describe(const ops::catalogue& plugins) {
 
 modeling_actor::behavior_type make_modeling(modeling_actor::stateful_pointer<modeling_state> self,
                                             std::shared_ptr<page_cache> cache,
-                                            page_store_actor pages,
+                                            const page_store_actor& pages,
                                             std::shared_ptr<const ops::catalogue> plugins,
                                             std::optional<process_usage> at_start) {
-  self->state.jobs = make_jobs(self, worker_role::modeling, std::move(cache), std::move(pages));
+  self->state.jobs = make_jobs(self, worker_role::modeling, std::move(cache), pages);
   self->state.jobs.at_start = at_start;
   self->state.plugins = std::move(plugins);
   self->state.services = ops::make_host_services();

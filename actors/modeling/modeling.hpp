@@ -17,7 +17,7 @@ struct modeling_state {
 /// Reads and writes files and runs operations, one after the other. `at_start`: see `worker_jobs`.
 modeling_actor::behavior_type make_modeling(modeling_actor::stateful_pointer<modeling_state> self,
                                             std::shared_ptr<page_cache> cache,
-                                            page_store_actor pages,
+                                            const page_store_actor& pages,
                                             std::shared_ptr<const ops::catalogue> plugins,
                                             std::optional<process_usage> at_start);
 

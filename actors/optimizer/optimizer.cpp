@@ -56,8 +56,8 @@ expected<job_output<check_result>> check(const check_order& order, const job_inp
 
 optimizer_actor::behavior_type make_optimizer(
   optimizer_actor::stateful_pointer<optimizer_state> self, std::shared_ptr<page_cache> cache,
-  page_store_actor pages) {
-  self->state.jobs = make_jobs(self, worker_role::optimizer, std::move(cache), std::move(pages));
+  const page_store_actor& pages) {
+  self->state.jobs = make_jobs(self, worker_role::optimizer, std::move(cache), pages);
   return {[=](job_id job, const check_order& order) { return handle(self, job, order); },
           [=](cancel_atom, job_id job) { self->state.jobs.cancel(job); },
           [=](status_atom) { return self->state.jobs.status(); }};

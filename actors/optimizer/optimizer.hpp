@@ -14,7 +14,7 @@ struct optimizer_state {
 /// Improves and checks candidates, one after the other.
 optimizer_actor::behavior_type make_optimizer(
   optimizer_actor::stateful_pointer<optimizer_state> self, std::shared_ptr<page_cache> cache,
-  page_store_actor pages);
+  const page_store_actor& pages);
 
 /// The job, without actors. A candidate that cannot even be opened is a failed postcondition.
 [[nodiscard]] expected<job_output<check_result>> check(const check_order& order,

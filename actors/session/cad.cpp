@@ -95,7 +95,7 @@ void session_state::next_cad() {
       });
 }
 
-void session_state::send_to_cad(std::shared_ptr<const store::cad_row> model) {
+void session_state::send_to_cad(const std::shared_ptr<const store::cad_row>& model) {
   const auto job = cad_running->job;
   const auto number = cad_running->number;
   const auto ours = [=, this] { return cad_running && cad_running->job == job; };

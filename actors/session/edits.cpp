@@ -252,7 +252,7 @@ void session_state::commit_edit(const std::shared_ptr<edit_run>& run,
 // -- the head moves ------------------------------------------------------------------------------
 
 void session_state::commit_node(graph_node node, past_change made, const std::string& how,
-                                head_waiter asked_by, std::function<void()> then) {
+                                head_waiter asked_by, const std::function<void()>& then) {
   const auto* head = graph.head();
   node.info.made_by = made.client;
   node.info.made_at = made.time;

@@ -195,7 +195,7 @@ struct session_state {
   /// `made`: the change, but for its version; `how` as it was asked for. `then` is called when all
   /// have been told.
   void commit_node(graph_node node, past_change made, const std::string& how, head_waiter asked_by,
-                   std::function<void()> then = {});
+                   const std::function<void()>& then = {});
   void show_head(const past_change& made, double commit_ms, head_waiter asked_by);
   void begin_move(const move_request& request, caf::typed_response_promise<head_moved> promise);
   void commit_move(const move_request& request, const version_graph::target& target,
@@ -342,7 +342,7 @@ struct session_state {
   void add_to_cad(std::uint32_t number, const edit_request& wanted);
   /// The first of those that wait, when nothing else is done with the model.
   void next_cad();
-  void send_to_cad(std::shared_ptr<const store::cad_row> model);
+  void send_to_cad(const std::shared_ptr<const store::cad_row>& model);
   /// The model of the version is known: makes that durable, between two commands.
   void keep_cad(store::cad_row row);
   void store_cad();

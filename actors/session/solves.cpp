@@ -161,13 +161,12 @@ void session_state::fetch_all_fields(
   const std::function<void(const solve_result&, const page_set&)>& use,
   const std::function<void(const error&)>& refuse) {
   const auto take = [=, this](const solve_result& solved_now,
-                              std::function<void(const error&)> failed) {
+                              const std::function<void(const error&)>& failed) {
     auto ids = pages_of(solved_now.fields);
     const auto more = pages_of(solved_now.more);
     ids.insert(ids.end(), more.begin(), more.end());
     pull(
-      solved_now.source, ids, [=](const page_set& pages) { use(solved_now, pages); },
-      std::move(failed));
+      solved_now.source, ids, [=](const page_set& pages) { use(solved_now, pages); }, failed);
   };
   const auto solve_again = [=, this,
                             order = order_of(result.key, mesh, base)](const error& e) mutable {

@@ -128,8 +128,9 @@ expected<job_output<solve_result>> solve(const solve_order& order, kept_systems&
 }
 
 solver_actor::behavior_type make_solver(solver_actor::stateful_pointer<solver_state> self,
-                                        std::shared_ptr<page_cache> cache, page_store_actor pages) {
-  self->state.jobs = make_jobs(self, worker_role::solver, std::move(cache), std::move(pages));
+                                        std::shared_ptr<page_cache> cache,
+                                        const page_store_actor& pages) {
+  self->state.jobs = make_jobs(self, worker_role::solver, std::move(cache), pages);
   return {[=](job_id job, const solve_order& order) { return handle(self, job, order); },
           [=](cancel_atom, job_id job) { self->state.jobs.cancel(job); },
           [=](status_atom) { return self->state.jobs.status(); }};

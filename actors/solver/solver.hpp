@@ -21,7 +21,8 @@ struct solver_state {
 
 /// Solves one order after the other.
 solver_actor::behavior_type make_solver(solver_actor::stateful_pointer<solver_state> self,
-                                        std::shared_ptr<page_cache> cache, page_store_actor pages);
+                                        std::shared_ptr<page_cache> cache,
+                                        const page_store_actor& pages);
 
 /// Who hears of a solve while it runs.
 struct solve_listener {

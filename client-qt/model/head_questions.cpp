@@ -10,7 +10,8 @@ namespace tedit::desktop {
 
 /// The surface is made aside, too: a copy of the head's with the difference.
 ticket head_questions::preview(const edit_wish& wish, bool find_most,
-                               remote::reply<shared_preview> done, remote::progress advanced) {
+                               remote::reply<shared_preview> done,
+                               const remote::progress& advanced) {
   const auto* now = part_.head();
   const auto before = now ? now->surface : nullptr;
   return link_.run<shared_preview>(
@@ -29,7 +30,7 @@ ticket head_questions::preview(const edit_wish& wish, bool find_most,
       return std::make_shared<const shown_preview>(
         shown_preview{std::move(*got), before, std::move(surface)});
     },
-    std::move(done), std::move(advanced));
+    std::move(done), advanced);
 }
 
 void head_questions::select(const selection_query& query,

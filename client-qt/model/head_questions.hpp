@@ -42,7 +42,7 @@ public:
   /// What an edit would make of the head. A newer question makes an older one `superseded`. With
   /// `find_most` a refusal takes longer and may know the most that works.
   ticket preview(const edit_wish& wish, bool find_most, remote::reply<shared_preview> done,
-                 remote::progress advanced = {});
+                 const remote::progress& advanced = {});
   /// Which surfaces belong together, or why none do.
   void select(const selection_query& query, remote::reply<std::vector<found_feature>> done);
   /// The surface of any version.

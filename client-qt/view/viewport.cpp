@@ -239,7 +239,7 @@ void viewport::highlight() {
 
 /// Of a preview nothing is selected, but what is new has a colour of its own: it is no picture of
 /// the head at all.
-void viewport::plain_picture(std::function<void(const QImage&)> then) {
+void viewport::plain_picture(const std::function<void(const QImage&)>& then) {
   if (selected_.empty() && faulty_.empty() && !hovered_)
     return then(last_picture());
   draw_aside(
@@ -251,7 +251,7 @@ void viewport::plain_picture(std::function<void(const QImage&)> then) {
       stage_->part.show_highlights(true);
       stage_->preview.show_marks(true);
     },
-    std::move(then));
+    then);
 }
 
 void viewport::hide(const std::set<surface_id>& hidden) {

@@ -58,7 +58,7 @@ public:
   void mark(const std::vector<surface_id>& faulty);
   /// The last frame without what is selected, under the pointer or marked; tells `then` at once
   /// when there is nothing of it, else once it is drawn anew, which the window does not wait for.
-  void plain_picture(std::function<void(const QImage&)> then);
+  void plain_picture(const std::function<void(const QImage&)>& then);
   void hide(const std::set<surface_id>& hidden);
   void show_mesh(bool on);
   void show_edges(bool on);

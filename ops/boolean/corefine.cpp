@@ -18,8 +18,10 @@ void append(std::vector<char>& bytes, const T* first, std::size_t count) {
 }
 
 std::vector<char> question(const closed_surface& first, const closed_surface& second,
-                           boolean_mode mode, const std::vector<shared_plane>& planes) {
+                           boolean_mode mode, const std::vector<shared_plane>& planes,
+                           std::chrono::milliseconds computing) {
   corefine_header header;
+  header.most_ms = static_cast<std::uint32_t>(computing.count());
   header.mode = static_cast<std::uint32_t>(mode);
   header.planes = static_cast<std::uint32_t>(planes.size());
   const std::array surfaces{&first, &second};
@@ -107,13 +109,12 @@ bool fits(const corefined& result, const closed_surface& first, const closed_sur
 expected<corefined> corefine(const closed_surface& first, const closed_surface& second,
                              boolean_mode mode, const std::vector<shared_plane>& planes,
                              const execution& run) {
-  child_limits limits;
   // CGAL comes back in a hundredth of this, or not at all.
   const auto triangles = first.triangles.size() + second.triangles.size();
-  limits.time =
-    std::min<std::chrono::milliseconds>(limits.time, std::chrono::milliseconds(3000 + triangles));
+  const auto computing = std::min(most_meshing_time, std::chrono::milliseconds(3000 + triangles));
   const auto output =
-    run_child({mesher_program().string()}, question(first, second, mode, planes), limits, run);
+    run_child({mesher_program().string()}, question(first, second, mode, planes, computing),
+              waiting_for(computing), run);
   if (!output)
     return fail(output.error());
   answer_reader reader(*output);

@@ -304,7 +304,8 @@ bool read_planes(std::vector<plane_points>& planes, const std::array<soup, 2>& i
 int tedit::ops::combine_surfaces(std::uint32_t magic) {
   corefine_header header;
   constexpr std::uint32_t most = 10'000'000;
-  if (!read_rest(header, magic) || header.mode > 2 || header.planes > 10'000)
+  if (!read_rest(header, magic) || header.mode > 2 || header.planes > 10'000 ||
+      !end_after(header.most_ms))
     return 2;
   std::array<soup, 2> in;
   for (int i = 0; i < 2; ++i)

@@ -19,7 +19,7 @@ struct corefine_header {
   std::uint32_t points[2] = {0, 0};
   std::uint32_t triangles[2] = {0, 0};
   std::uint32_t planes = 0;
-  std::uint32_t reserved = 0;
+  std::uint32_t most_ms = 0;  ///< Of processor time, see `end_after`.
 };
 
 struct corefine_plane {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <sys/time.h>
+
 #include <cstdint>
 #include <cstdio>
 
@@ -21,6 +23,13 @@ bool read_rest(Header& header, std::uint32_t magic) {
   header.magic = magic;
   auto* const rest = reinterpret_cast<char*>(&header) + sizeof(magic);
   return std::fread(rest, sizeof(header) - sizeof(magic), 1, stdin) == 1;
+}
+
+/// This process ends (SIGPROF) once it has used so much processor time. Of processors, so that the
+/// same question gets the same answer on a machine that has much else to do.
+inline bool end_after(std::uint32_t milliseconds) {
+  const itimerval left{{}, {milliseconds / 1000, 1000L * (milliseconds % 1000)}};
+  return setitimer(ITIMER_PROF, &left, nullptr) == 0;
 }
 
 }  // namespace tedit::ops

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 
+#include "base/child_process.hpp"
 #include "ops/sdk/operation.hpp"
 
 namespace tedit::ops {
@@ -10,6 +12,17 @@ namespace tedit::ops {
 /// The program `tedit-mesher`: in $TEDIT_LIBEXEC, else beside the running executable. What it does
 /// may end it, so it runs in a process of its own, under limits.
 [[nodiscard]] std::filesystem::path mesher_program();
+
+/// Of processor time, which the program watches: what is asked of it takes a hundredth, or has no
+/// end.
+constexpr std::chrono::milliseconds most_meshing_time{8000};
+
+/// For the program by the clock, where others have the processors: several times as long.
+[[nodiscard]] inline child_limits waiting_for(std::chrono::milliseconds computing) {
+  child_limits limits;
+  limits.time = 4 * computing;
+  return limits;
+}
 
 /// `services::tetrahedralise`, by that program. Tets with a radius ratio below `least_quality` are
 /// an error.

@@ -183,6 +183,7 @@ expected<tet_filling> tetrahedralise_surface(const closed_surface& shell, const 
   exchange_header header;
   header.points = static_cast<std::uint32_t>(shell.points.size());
   header.cells = static_cast<std::uint32_t>(shell.triangles.size());
+  header.most_ms = most_meshing_time.count();
   std::vector<char> input;
   append(input, &header, 1);
   for (const auto& p : shell.points) {
@@ -190,7 +191,8 @@ expected<tet_filling> tetrahedralise_surface(const closed_surface& shell, const 
     append(input, &scaled, 1);
   }
   append(input, shell.triangles.data(), shell.triangles.size());
-  const auto output = run_child({mesher_program().string()}, input, {}, run);
+  const auto output =
+    run_child({mesher_program().string()}, input, waiting_for(most_meshing_time), run);
   if (!output)
     return fail(output.error());
   auto filling = parse(*output, shell, units);

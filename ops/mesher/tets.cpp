@@ -41,7 +41,8 @@ void set_facets(tetgenio& in, const std::vector<std::uint32_t>& triangles) {
 int tedit::ops::fill_with_tets(std::uint32_t magic) {
   exchange_header header;
   constexpr std::uint32_t most = 10'000'000;
-  if (!read_rest(header, magic) || header.points > most || header.cells > most)
+  if (!read_rest(header, magic) || header.points > most || header.cells > most ||
+      !end_after(header.most_ms))
     return 2;
   std::vector<double> points;
   std::vector<std::uint32_t> triangles;
@@ -60,6 +61,7 @@ int tedit::ops::fill_with_tets(std::uint32_t magic) {
   tetrahedralize(switches, &in, &out);
   if (out.numberoftetrahedra <= 0 || out.numberofcorners != 4)
     return 3;
+  header.most_ms = 0;
   header.points = static_cast<std::uint32_t>(out.numberofpoints);
   header.cells = static_cast<std::uint32_t>(out.numberoftetrahedra);
   const std::size_t reals = 3ul * header.points;

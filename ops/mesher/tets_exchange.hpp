@@ -11,8 +11,8 @@ namespace tedit::ops {
 struct exchange_header {
   std::uint32_t magic = 0x54544731;  // "TTG1"
   std::uint32_t points = 0;
-  std::uint32_t cells = 0;  ///< Triangles in, tets out.
-  std::uint32_t reserved = 0;
+  std::uint32_t cells = 0;    ///< Triangles in, tets out.
+  std::uint32_t most_ms = 0;  ///< Of processor time, see `end_after`; 0 in an answer.
 };
 
 }  // namespace tedit::ops

@@ -57,7 +57,8 @@ measured measure(const mesh_version& after, const std::vector<surface_id>& surfa
 }
 
 bool is_of_mesher(const error& e) {
-  return e.code == ec::mesher_failed || e.code == ec::not_a_hole || e.code == ec::degenerate_tet;
+  return e.code == ec::mesher_failed || e.code == ec::timeout || e.code == ec::not_a_hole ||
+         e.code == ec::degenerate_tet;
 }
 
 void add_figures(const measured& off, double depth, bool taken, edit_result& result) {

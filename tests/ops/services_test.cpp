@@ -6,6 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include "ops/mesher/mesher.hpp"
+#include "ops/mesher/tets_exchange.hpp"
+
 namespace tedit::ops {
 namespace {
 
@@ -97,6 +100,38 @@ TEST(Tetrahedralise, AnOpenSurfaceIsRefusedAndNothingHangs) {
 
   ASSERT_FALSE(filling.has_value());
   EXPECT_TRUE(filling.error().code == ec::mesher_failed || filling.error().code == ec::timeout);
+}
+
+TEST(Tetrahedralise, TheMesherEndsItselfOnceItHasComputedForSoLong) {
+  // Two cones of 4,000 triangles each: some hundred ms.
+  constexpr std::uint32_t ring = 4000;
+  std::vector<vec3> points{{0, 0, 1}, {0, 0, -1}};
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  for (std::uint32_t i = 0; i < ring; ++i) {
+    points.push_back({std::cos(2 * M_PI * i / ring), std::sin(2 * M_PI * i / ring), 0});
+    triangles.push_back({2 + i, 2 + (i + 1) % ring, 0});
+    triangles.push_back({2 + (i + 1) % ring, 2 + i, 1});
+  }
+  exchange_header header;
+  header.points = static_cast<std::uint32_t>(points.size());
+  header.cells = static_cast<std::uint32_t>(triangles.size());
+  header.most_ms = 4;
+  std::vector<char> question;
+  const auto add = [&](const auto* values, std::size_t count) {
+    const auto* bytes = reinterpret_cast<const char*>(values);
+    question.insert(question.end(), bytes, bytes + count * sizeof(*values));
+  };
+  add(&header, 1);
+  add(points.data(), points.size());
+  add(triangles.data(), triangles.size());
+  setenv("TEDIT_LIBEXEC", TEDIT_BIN, 1);
+
+  const auto answer =
+    run_child({mesher_program().string()}, question, waiting_for(most_meshing_time), {});
+
+  ASSERT_FALSE(answer.has_value());
+  EXPECT_EQ(answer.error().code, ec::timeout);
+  EXPECT_EQ(answer.error().message, "tedit-mesher found no end in the time that it may compute");
 }
 
 TEST(Triangulate, APolygonWithoutAreaIsRefused) {

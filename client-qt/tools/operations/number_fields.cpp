@@ -71,7 +71,7 @@ std::string read_list(const QString& typed, const QString& si_unit) {
 }
 
 QString numbers_shown(const std::string& host, const QString& si_unit) {
-  const QString text = QString::fromStdString(host);
+  QString text = QString::fromStdString(host);
   const double scale = shown_as(si_unit).scale;
   QLocale plain;
   plain.setNumberOptions(QLocale::OmitGroupSeparator);
