@@ -124,8 +124,10 @@ expected<number_groups> groups_in(const parameter_description& p, std::string_vi
       if (!found)
         return fail(std::move(found.error()));
       group = std::move(*found);
-    } else if ((group = group_in(part))) {
-      scale_lengths(p.type, scale, groups.size(), *group);
+    } else {
+      group = group_in(part);
+      if (group)
+        scale_lengths(p.type, scale, groups.size(), *group);
     }
     const bool last = end == text.size();
     if (!group || (group->empty() && !last) || groups.size() > 3 * most_items)
@@ -159,7 +161,7 @@ std::optional<number_group> numbers_in(parameter_type type, const number_groups&
       all.insert(all.end(), group.begin(), group.end());
     return all;
   }
-  const auto points = points_in(groups);
+  auto points = points_in(groups);
   if (!points || type == parameter_type::polyline)
     return points;
   return points->size() == (is_both(type) ? 6 : 3) ? points : std::nullopt;
