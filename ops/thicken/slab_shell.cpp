@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "mesh/box_tree.hpp"
 #include "mesh/level_set.hpp"
 #include "mesh/level_set_freedom.hpp"
 #include "mesh/predicates.hpp"
@@ -340,34 +341,29 @@ expected<slab_shell> make_slab_shell(const mesh_builder& mesh, const surface_pat
 
 expected<void> check_free(const mesh_builder& mesh, const slab_shell& shell) {
   const std::unordered_set<facet_id> covered(shell.covered.begin(), shell.covered.end());
-  const auto& points = shell.surface.points;
-  vec3 low{1e300, 1e300, 1e300};
-  vec3 high{-1e300, -1e300, -1e300};
-  for (const auto& p : points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  std::vector<std::array<vec3, 3>> made;
+  std::vector<box> boxes;
+  for (std::size_t i = shell.covered.size(); i < shell.surface.triangles.size(); ++i) {
+    const auto& t = shell.surface.triangles[i];
+    const auto& points = shell.surface.points;
+    boxes.push_back(
+      box_of(made.emplace_back(std::array{points[t[0]], points[t[1]], points[t[2]]})));
   }
+  const box_tree tree(boxes);
   for (facet_id f = 0; f < mesh.facet_slots(); ++f) {
     if (!mesh.is_live_facet(f) || covered.contains(f))
       continue;
     const auto& v = mesh.facet(f).v;
-    const std::array<vec3, 3> p{mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2])};
-    const auto beside = [&](double vec3::*c) {
-      return std::ranges::all_of(p, [&](vec3 q) { return q.*c < low.*c; }) ||
-             std::ranges::all_of(p, [&](vec3 q) { return q.*c > high.*c; });
+    const std::array p{mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2])};
+    const auto joined = [&](std::uint32_t k) {
+      return shell.vertices[k] != no_id && std::ranges::count(v, shell.vertices[k]);
     };
-    if (beside(&vec3::x) || beside(&vec3::y) || beside(&vec3::z))
-      continue;
-    for (std::size_t i = shell.covered.size(); i < shell.surface.triangles.size(); ++i) {
-      const auto& t = shell.surface.triangles[i];
-      if (std::ranges::any_of(t, [&](std::uint32_t k) {
-            return shell.vertices[k] != no_id && std::ranges::count(v, shell.vertices[k]);
-          }))
-        continue;
-      if (triangles_intersect({points[t[0]], points[t[1]], points[t[2]]}, p))
-        return fail(ec::cap_intersects,
-                    "the slab would run into surface " + std::to_string(mesh.facet(f).surface));
-    }
+    if (tree.any_meeting(box_of(p), [&](std::size_t i) {
+          return std::ranges::none_of(shell.surface.triangles[shell.covered.size() + i], joined) &&
+                 triangles_intersect(made[i], p);
+        }))
+      return fail(ec::cap_intersects,
+                  "the slab would run into surface " + std::to_string(mesh.facet(f).surface));
   }
   return {};
 }
