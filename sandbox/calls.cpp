@@ -35,7 +35,7 @@ constexpr bool sanitized = true;
 constexpr bool sanitized = false;
 #endif
 
-/// Numbers, streams and memory that are there already.
+/// Numbers, streams and memory that are there already, and when it is to end itself.
 constexpr std::array basic{
   SCMP_SYS(read),          SCMP_SYS(write),          SCMP_SYS(readv),
   SCMP_SYS(writev),        SCMP_SYS(close),          SCMP_SYS(fstat),
@@ -45,7 +45,8 @@ constexpr std::array basic{
   SCMP_SYS(exit_group),    SCMP_SYS(rt_sigprocmask), SCMP_SYS(rt_sigreturn),
   SCMP_SYS(sigaltstack),   SCMP_SYS(getpid),         SCMP_SYS(gettid),
   SCMP_SYS(clock_gettime), SCMP_SYS(gettimeofday),   SCMP_SYS(time),
-  SCMP_SYS(getrandom),     SCMP_SYS(sched_yield),    SCMP_SYS(restart_syscall)};
+  SCMP_SYS(getrandom),     SCMP_SYS(sched_yield),    SCMP_SYS(restart_syscall),
+  SCMP_SYS(setitimer)};
 
 constexpr std::array of_threads{SCMP_SYS(set_robust_list),
                                 SCMP_SYS(get_robust_list),
@@ -70,7 +71,6 @@ constexpr std::array of_threads{SCMP_SYS(set_robust_list),
                                 SCMP_SYS(clock_nanosleep),
                                 SCMP_SYS(clock_getres),
                                 SCMP_SYS(alarm),
-                                SCMP_SYS(setitimer),
                                 SCMP_SYS(getitimer),
                                 SCMP_SYS(timer_create),
                                 SCMP_SYS(timer_settime),
