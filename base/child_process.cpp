@@ -128,8 +128,6 @@ private:
   unique_fd wanted_;  ///< Closed: it is ended.
 };
 
-constexpr auto too_long_remedy = "Try again when the machine has less to do, or take other values";
-
 /// Moves bytes both ways until the child closes its output, the time is over or it is cancelled.
 expected<std::vector<char>> exchange(unique_fd& to_child, unique_fd& from_child,
                                      std::span<const char> input,
@@ -143,7 +141,8 @@ expected<std::vector<char>> exchange(unique_fd& to_child, unique_fd& from_child,
     const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(
       deadline - std::chrono::steady_clock::now());
     if (left.count() <= 0)
-      return fail(ec::timeout, name + " did not end within its time limit", too_long_remedy);
+      return fail(ec::timeout, name + " did not end within its time limit",
+                  "Try again when the machine has less to do, or take other values");
     if (input.empty())
       to_child.reset();
     std::array<pollfd, 2> ends{{{from_child.get(), POLLIN, 0}, {to_child.get(), POLLOUT, 0}}};
@@ -237,7 +236,7 @@ expected<std::vector<char>> run_child(const std::vector<std::string>& command,
     return fail(ec::mesher_failed, name + " " + *deed, misdeed_remedy);
   if (WIFSIGNALED(*status) && WTERMSIG(*status) == SIGPROF)
     return fail(ec::timeout, name + " found no end in the time that it may compute",
-                "Take other values, or a mesh without slivers there");
+                "Take other values");
   if (WIFSIGNALED(*status))
     return fail(ec::mesher_failed,
                 name + " crashed (signal " + std::to_string(WTERMSIG(*status)) + ")");

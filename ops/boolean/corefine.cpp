@@ -114,7 +114,7 @@ expected<corefined> corefine(const closed_surface& first, const closed_surface& 
   const auto computing = std::min(most_meshing_time, std::chrono::milliseconds(3000 + triangles));
   const auto output =
     run_child({mesher_program().string()}, question(first, second, mode, planes, computing),
-              waiting_for(computing), run);
+              mesher_limits(computing), run);
   if (!output)
     return fail(output.error());
   answer_reader reader(*output);

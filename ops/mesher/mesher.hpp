@@ -13,12 +13,12 @@ namespace tedit::ops {
 /// may end it, so it runs in a process of its own, under limits.
 [[nodiscard]] std::filesystem::path mesher_program();
 
-/// Of processor time, which the program watches: what is asked of it takes a hundredth, or has no
-/// end.
+/// Of processor time, which the program watches: what is asked of it mostly takes a hundredth of
+/// this, or has no end.
 constexpr std::chrono::milliseconds most_meshing_time{8000};
 
-/// For the program by the clock, where others have the processors: several times as long.
-[[nodiscard]] inline child_limits waiting_for(std::chrono::milliseconds computing) {
+/// By the clock four times what it may compute: others may have the processors meanwhile.
+[[nodiscard]] inline child_limits mesher_limits(std::chrono::milliseconds computing) {
   child_limits limits;
   limits.time = 4 * computing;
   return limits;

@@ -192,7 +192,7 @@ expected<tet_filling> tetrahedralise_surface(const closed_surface& shell, const 
   }
   append(input, shell.triangles.data(), shell.triangles.size());
   const auto output =
-    run_child({mesher_program().string()}, input, waiting_for(most_meshing_time), run);
+    run_child({mesher_program().string()}, input, mesher_limits(most_meshing_time), run);
   if (!output)
     return fail(output.error());
   auto filling = parse(*output, shell, units);

@@ -7,10 +7,9 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "mesh/box_tree.hpp"
 #include "mesh/level_set.hpp"
 #include "mesh/level_set_freedom.hpp"
-#include "mesh/predicates.hpp"
+#include "ops/shapes/new_triangles.hpp"
 
 namespace tedit::ops {
 
@@ -341,27 +340,12 @@ expected<slab_shell> make_slab_shell(const mesh_builder& mesh, const surface_pat
 
 expected<void> check_free(const mesh_builder& mesh, const slab_shell& shell) {
   const std::unordered_set<facet_id> covered(shell.covered.begin(), shell.covered.end());
-  std::vector<std::array<vec3, 3>> made;
-  std::vector<box> boxes;
-  for (std::size_t i = shell.covered.size(); i < shell.surface.triangles.size(); ++i) {
-    const auto& t = shell.surface.triangles[i];
-    const auto& points = shell.surface.points;
-    boxes.push_back(
-      box_of(made.emplace_back(std::array{points[t[0]], points[t[1]], points[t[2]]})));
-  }
-  const box_tree tree(boxes);
+  const new_triangles made(shell.surface, shell.vertices, shell.covered.size());
   for (facet_id f = 0; f < mesh.facet_slots(); ++f) {
     if (!mesh.is_live_facet(f) || covered.contains(f))
       continue;
     const auto& v = mesh.facet(f).v;
-    const std::array p{mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2])};
-    const auto joined = [&](std::uint32_t k) {
-      return shell.vertices[k] != no_id && std::ranges::count(v, shell.vertices[k]);
-    };
-    if (tree.any_meeting(box_of(p), [&](std::size_t i) {
-          return std::ranges::none_of(shell.surface.triangles[shell.covered.size() + i], joined) &&
-                 triangles_intersect(made[i], p);
-        }))
+    if (made.meet(v, {mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2])}))
       return fail(ec::cap_intersects,
                   "the slab would run into surface " + std::to_string(mesh.facet(f).surface));
   }

@@ -30,8 +30,8 @@ struct slab_shell {
                                                    services& host);
 
 /// Does anything of the boundary stand where the slab's sides and cap would be? Errors:
-/// `cap_intersects` naming the surface. Cost: O(boundary x log new triangles, and
-/// pairs whose boxes meet).
+/// `cap_intersects` naming the surface. Cost: O(boundary), each facet as
+/// `new_triangles::meet`.
 [[nodiscard]] expected<void> check_free(const mesh_builder& mesh, const slab_shell& shell);
 
 }  // namespace tedit::ops

@@ -5,7 +5,7 @@
 #include "mesh/box_tree.hpp"
 #include "mesh/facet_pages.hpp"
 #include "mesh/place_text.hpp"
-#include "mesh/predicates.hpp"
+#include "ops/shapes/new_triangles.hpp"
 #include "ops/shapes/rounding/round_boundary.hpp"
 #include "ops/shapes/rounding/surface_tree.hpp"
 
@@ -69,38 +69,14 @@ void add_depth(const round_surface& made, round_shell& shell) {
 
 expected<void> check_free(const mesh_version& mesh, const round_plan& plan,
                           const round_shell& shell) {
-  const auto& points = shell.surface.points;
-  struct placed {
-    std::array<vec3, 3> p;
-    std::array<std::uint32_t, 3> index;
-  };
-  std::vector<placed> fresh;
-  std::vector<box> boxes;
-  for (std::size_t i = shell.kept; i < shell.surface.triangles.size(); ++i) {
-    const auto& t = shell.surface.triangles[i];
-    placed one{{points[t[0]], points[t[1]], points[t[2]]}, t};
-    boxes.push_back(box_of(one.p));
-    fresh.push_back(one);
-  }
-  const box_tree near(boxes);
-  const auto all = near.extent();
+  const new_triangles made(shell.surface, shell.vertices, shell.kept);
   expected<void> result;
-  for_each_facet_near(mesh, all, [&](facet_id f) {
-    const auto& v = mesh.facet(f).v;
-    const std::array<vec3, 3> p{mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2])};
-    const auto extent = box_of(p);
-    if (!result || !extent.meets(all) || shell.replaced.contains(f))
+  for_each_facet_near(mesh, made.extent(), [&](facet_id f) {
+    if (!result || shell.replaced.contains(f))
       return;
-    const bool meets = near.any_meeting(extent, [&](std::size_t i) {
-      const auto& one = fresh[i];
-      return std::ranges::none_of(one.index,
-                                  [&](std::uint32_t k) {
-                                    return shell.vertices[k] != no_id &&
-                                           std::ranges::count(v, shell.vertices[k]) > 0;
-                                  }) &&
-             triangles_intersect(one.p, p);
-    });
-    if (meets)
+    const auto& v = mesh.facet(f).v;
+    const std::array p{mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2])};
+    if (made.meet(v, p))
       result =
         fail(ec::cap_intersects,
              "the rounding of " + plan.chains.front().name(mesh) + " would run into surface " +
