@@ -4,15 +4,18 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
+#include <caf/actor.hpp>
 #include <caf/allowed_unsafe_message_type.hpp>
 
 #include "actors/store/document.hpp"
+#include "base/execution.hpp"
 #include "edit/report.hpp"
 #include "mesh/version.hpp"
 
-/// What is said about edits on CAD models (docs/cad.md); within one process, as the messages of
-/// actors/local_messages.hpp.
+/// What is said about CAD files and edits on CAD models (docs/cad.md); within one process, as the
+/// messages of actors/local_messages.hpp.
 namespace tedit::actors {
 
 enum class cad_status { pending, same, mesh_only, failed };
@@ -49,9 +52,45 @@ struct cad_outcome {
   std::shared_ptr<const store::cad_row> row;
 };
 
+/// Shorter edges on a surface of a CAD part.
+struct part_local_size {
+  std::string surface;  ///< A number or a name.
+  double mm = 0;        ///< The longest edge there.
+};
+
+/// A CAD file, or a closed surface without CAD, that a client sent to become a document.
+struct part_order {
+  std::vector<page_ptr> file;
+  std::shared_ptr<const void> held = {};  ///< Keeps the file on the account of who sent it.
+  std::string file_name = {};             ///< As its owner knows it.
+  std::string length_unit = {};           ///< As `scan::part_file_request::unit`.
+  std::string size = "medium";            ///< How fine: "coarse", "medium", "fine".
+  std::vector<part_local_size> local_sizes = {};
+  std::string client_name = {};  ///< Who sent it.
+  std::uint64_t ticket = 0;      ///< Of the request: `client` is told how far it is.
+  caf::actor client = {};
+  cancel_token stop = {};
+};
+
+/// What came of it: the bytes of a document, and what a person should know.
+struct part_document {
+  std::vector<page_ptr> file;
+  std::vector<std::string> warnings;
+};
+
+/// The same for the hub: the name that the document is to have.
+struct part_request {
+  std::string name;
+  bool or_next_free = false;  ///< Where the name is taken: NAME-2, ...
+  part_order part;
+};
+
 }  // namespace tedit::actors
 
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::cad_query)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::stored_cad)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::cad_order)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::cad_outcome)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::part_order)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::part_document)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::part_request)

@@ -106,6 +106,14 @@ using cad_editor_actor = caf::typed_actor<
   // Ends it early; it is then answered with `cancelled`.
   caf::reacts_to<cancel_atom, job_id>>;
 
+/// Meshes CAD files and surfaces that clients sent, with programs that may die, as many at once as
+/// the server allows, in the order of arrival; one in each server.
+using part_importer_actor = caf::typed_actor<
+  // Makes a document of one; it is told how far it is, and ended early by the order's own token.
+  caf::replies_to<part_order>::with<part_document>,
+  // From itself: whether those that wait are still wanted.
+  caf::reacts_to<rest_atom>>;
+
 /// Waits for the disk on behalf of all stores; a few in each server, each with a thread.
 using disk_actor = caf::typed_actor<
   // Opens the document and reads all of it.
@@ -222,6 +230,8 @@ using hub_actor = caf::typed_actor<
   caf::replies_to<existing_atom, std::string>::with<opened_document>,
   // Makes a file that was sent a document.
   caf::replies_to<add_request>::with<added_document>,
+  // Meshes a CAD file or a surface that was sent, and makes it a document.
+  caf::replies_to<part_request>::with<added_document>,
   // Gives an open document another name; who asks for the one before still finds it.
   caf::replies_to<rename_request>::with<acknowledged>,
   // Copies a document, open or not, to a new one.

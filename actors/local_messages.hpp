@@ -408,6 +408,7 @@ struct adoption {
 /// The name that an added document has got.
 struct added_document {
   std::string name;
+  std::vector<std::string> warnings = {};  ///< Of a part that was meshed for it.
 };
 
 /// Another name for a document that is open.

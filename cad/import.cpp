@@ -95,6 +95,9 @@ error about_mesher(const program_end& end, const part_facts& facts, const fs::pa
   return why;
 }
 
+/// Bytes; the system takes 128 KiB of one.
+constexpr std::size_t longest_argument = 100'000;
+
 bool is_meant(const std::string& surface, const face_facts& face, std::size_t place) {
   if (face.ids.empty()
         ? surface == std::to_string(place + 1)
@@ -115,6 +118,9 @@ expected<std::string> sizes_by_place(const std::vector<local_size>& wanted,
         result +=
           (result.empty() ? "" : ",") + std::to_string(i + 1) + "=" + short_number(one.mm, 17);
       }
+    if (result.size() > longest_argument)
+      return fail(ec::invalid_argument, "there are too many local sizes",
+                  "Give a finer size for the whole part");
     if (!found)
       return fail(ec::surface_not_found,
                   "the part has no surface \"" + one.surface + "\" to give a size of its own",

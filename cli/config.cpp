@@ -241,6 +241,7 @@ const std::vector<option>& options() {
     {"work", "optimizer_workers", whole(&c::optimizer_workers, 0, 64)},
     {"work", "solver_workers", whole(&c::solver_workers, 0, 64)},
     {"work", "cad_jobs", whole(&c::cad_jobs, 0, 64)},
+    {"work", "import_jobs", whole(&c::import_jobs, 0, 64)},
     {"work", "sandbox", text(&c::sandbox, sandbox_fault)},
     {"plugins", "safe_mode", yes_no(&c::safe_mode)},
     {"plugins", "quarantine_after", whole(&c::quarantine_after, 0, 1000)},

@@ -33,6 +33,7 @@ struct server_config {
   int optimizer_workers = 1;
   int solver_workers = 1;
   int cad_jobs = 1;
+  int import_jobs = 1;
   std::string sandbox = "auto";
   // [plugins]
   bool safe_mode = false;

@@ -8,26 +8,22 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "actors/cad/first_version.hpp"
 #include "base/number_range.hpp"
 #include "base/stopwatch.hpp"
-#include "cad/file_kind.hpp"
-#include "cad/import.hpp"
-#include "cad/repair.hpp"
 #include "cli/command.hpp"
 #include "cli/mesh_report.hpp"
 #include "cli/part_document.hpp"
 #include "mesh/io/formats.hpp"
 #include "sandbox/sandbox.hpp"
-#include "scan/file_kind.hpp"
-#include "scan/import.hpp"
+#include "scan/part_file.hpp"
 
 namespace tedit::cli {
 
 namespace {
 
 struct import_options {
-  cad::import_request request;
-  std::string unit;
+  scan::part_file_request request;
   std::vector<std::string> local_sizes;
   std::string output;
   unsigned time_limit_s = 120;
@@ -92,14 +88,7 @@ struct stage_times {
   double total = 0;
 };
 
-/// A part, and of one without CAD how far its mesh is off the file's surface.
-struct import_result {
-  cad::imported_part part;
-  std::optional<scan::surface_part> surface;
-  std::optional<double> deviation_m;
-};
-
-nlohmann::ordered_json to_json(const import_result& made, const mesh_report& report,
+nlohmann::ordered_json to_json(const scan::file_part& made, const mesh_report& report,
                                const stage_times& ms) {
   const auto& part = made.part;
   auto json = to_json(*part.version, report);
@@ -133,7 +122,7 @@ std::string count_words(const nlohmann::ordered_json& rows) {
          std::to_string(colours) + " with a colour)";
 }
 
-std::string describe(const import_options& options, const import_result& made,
+std::string describe(const import_options& options, const scan::file_part& made,
                      const mesh_report& report, const nlohmann::ordered_json& json) {
   const auto& part = made.part;
   std::string text = options.request.file.string() + "\n";
@@ -165,39 +154,6 @@ std::string describe(const import_options& options, const import_result& made,
                                              : ": a document with the mesh and the CAD model\n"
                           : ": the mesh\n");
   return text;
-}
-
-/// What a document keeps of CAD: of a surface file nothing.
-std::optional<cad::cad_model> model_of(const import_result& made) {
-  return made.deviation_m ? std::nullopt : std::optional(made.part.model);
-}
-
-/// A surface file where it is one; anything else is CAD, whose reader says what is wrong with it.
-expected<import_result> import_any(const import_options& options, const execution& run) {
-  const auto kind =
-    cad::kind_of(options.request.file) ? std::nullopt : scan::kind_of(options.request.file);
-  if (!kind) {
-    if (!options.unit.empty())
-      return fail(ec::invalid_argument,
-                  "--unit is for STL, OBJ and PLY files: a CAD file says its unit",
-                  "Leave --unit out");
-    return cad::import_part(options.request, run).map([](cad::imported_part&& part) {
-      return import_result{std::move(part), std::nullopt, std::nullopt};
-    });
-  }
-  if (!options.request.local_sizes.empty())
-    return fail(ec::invalid_argument,
-                "--local-size is for CAD files: the surfaces of this file are found while it is "
-                "meshed",
-                "Mesh it without, and make it finer afterwards: \"tedit edit PART --op refine\"");
-  const std::string unit = options.unit.empty()     ? "mm"
-                           : options.unit == "inch" ? "in"
-                                                    : options.unit;
-  return scan::import_surface(
-           {options.request.file, *kind, unit, options.request.size, options.request.limits}, run)
-    .map([](scan::imported_surface&& surface) {
-      return import_result{std::move(surface.part), std::move(surface.file), std::nullopt};
-    });
 }
 
 /// "12=0.5", "Bore=0.5".
@@ -235,25 +191,21 @@ int run_import(import_options options, session& s) {
   if (const auto can = sandbox::check(); !can && !sandbox::is_switched_off())
     notice(s, "note: " + render(can.error()));
   const auto run = make_execution(s);
-  auto made = import_any(options, run.part(0, 0.7));
+  const auto made = scan::import_part_file(options.request, run.part(0, 0.95));
   if (!made)
     return print_error(s, made.error());
-  auto* part = &made->part;
-  stopwatch clock;
-  if (auto repaired = cad::repair_part(*part, run.part(0.7, 0.95)); !repaired)
-    return print_error(s, repaired.error());
-  stage_times ms{part->read_ms, part->mesh_ms, clock.restart(), 0};
-  if (made->surface)
-    made->deviation_m = scan::deviation_of(*part->version, *made->surface);
+  const auto* part = &made->part;
+  stage_times ms{part->read_ms, part->mesh_ms, made->repair_ms, 0};
   if (!options.output.empty())
     if (const auto written =
-          as_document ? create_document(options.output,
-                                        {part->version, model_of(*made),
-                                         options.request.file.filename().string(), part->warnings})
-                      : write_as((*format)->name, options.output, *part->version,
-                                 {.length_unit = "mm",
-                                  .colours = file_colours_of(*part),
-                                  .title = options.request.file.stem().string()});
+          as_document
+            ? actors::create_document(options.output,
+                                      {part->version, made->model(),
+                                       options.request.file.filename().string(), part->warnings})
+            : write_as((*format)->name, options.output, *part->version,
+                       {.length_unit = "mm",
+                        .colours = file_colours_of(*part),
+                        .title = options.request.file.stem().string()});
         !written)
       return print_error(s, written.error());
   for (const auto& warning : part->warnings)
@@ -278,7 +230,7 @@ void add_import(CLI::App& app, action& chosen) {
     ->required();
   command
     ->add_option(
-      "--unit", options->unit,
+      "--unit", options->request.unit,
       "What the coordinates of an STL, OBJ or PLY file are in, where it does not say it: "
       "mm, cm, m or inch [mm]")
     ->check(CLI::IsMember({"mm", "cm", "m", "inch", "in"}));

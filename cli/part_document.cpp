@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include <nlohmann/json.hpp>
-
 #include "actors/cad/cad_rows.hpp"
 #include "actors/session/change_log.hpp"
 #include "actors/store/check.hpp"
@@ -111,33 +109,6 @@ private:
   ops::catalogue plugins_ = ops::load_default_catalogue();
 };
 
-expected<std::unique_ptr<store::document>> open_new(const fs::path& file) {
-  auto document = store::document::open(file);
-  if (!document)
-    return fail(document.error());
-  const auto rows = (*document)->read();
-  if (!rows)
-    return fail(rows.error());
-  if (!rows->versions.empty())
-    return fail(ec::conflict, "there is a document " + file.string() + " already",
-                "Give another name: a document is not written over");
-  return document;
-}
-
-/// What a log row says of a change.
-std::string details_of(const std::string& what, const std::string& operation,
-                       const std::string& how, std::uint32_t version,
-                       std::vector<std::string> warnings) {
-  actors::past_change made;
-  made.what = what;
-  made.operation = operation;
-  made.client = "tedit";
-  made.time = actors::utc_now();
-  made.version = version;
-  made.warnings = std::move(warnings);
-  return made.to_details(how);
-}
-
 }  // namespace
 
 bool is_document(const fs::path& file) {
@@ -170,22 +141,6 @@ expected<document_part> read_part(const fs::path& file, std::optional<std::uint3
   return part;
 }
 
-expected<void> create_document(const fs::path& file, const first_version& first) {
-  const auto document = open_new(file);
-  if (!document)
-    return fail(document.error());
-  actors::graph_node node;
-  node.info.operation = "import";
-  actors::describe_mesh(node, first.mesh);
-  auto change = actors::change_of(node, nullptr);
-  change.what = "import";
-  const nlohmann::json how{{"file", first.file_name}, {"length_unit", "mm"}};
-  change.details = details_of("import", "import", how.dump(), 0, first.warnings);
-  if (first.model)
-    change.cad.push_back(to_row({first.model, "", 0}, 0));
-  return (*document)->commit(change);
-}
-
 expected<void> copy_with_edit(const fs::path& from, const fs::path& to, const next_version& next) {
   {
     const auto source = store::document_view::open(from);
@@ -209,9 +164,13 @@ expected<void> copy_with_edit(const fs::path& from, const fs::path& to, const ne
     node.report = std::make_shared<const edit_report>(next.made->report);
     actors::describe_mesh(node, next.made->version);
     auto change = actors::change_of(node, stored->nodes[stored->head.value_or(0)].mesh.get());
-    change.what = "edit";
-    change.details = details_of("edit", next.wanted.operation, protocol::to_json(next.wanted),
-                                node.info.number, {});
+    actors::past_change past;
+    past.what = change.what = "edit";
+    past.operation = next.wanted.operation;
+    past.client = "tedit";
+    past.time = actors::utc_now();
+    past.version = node.info.number;
+    change.details = past.to_details(protocol::to_json(next.wanted));
     if (next.cad)
       change.cad.push_back(to_row(*next.cad, node.info.number));
     return (*document)->commit(change);

@@ -41,19 +41,6 @@ struct document_part {
                                                 std::optional<std::uint32_t> number,
                                                 const execution& run);
 
-/// What comes new into a document.
-struct first_version {
-  version_ptr mesh;
-  std::optional<cad::cad_model> model;
-  std::string file_name;  ///< Where it came from.
-  std::vector<std::string> warnings;
-};
-
-/// Makes a document. Errors: `conflict` when something has the name; those of
-/// `store::document`.
-[[nodiscard]] expected<void> create_document(const std::filesystem::path& file,
-                                             const first_version& first);
-
 /// An edit that was made.
 struct next_version {
   edit_request wanted;

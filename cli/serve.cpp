@@ -49,6 +49,7 @@ server_options to_server_options(const server_config& config) {
   options.optimizer_workers = static_cast<unsigned>(config.optimizer_workers);
   options.solver_workers = static_cast<unsigned>(config.solver_workers);
   options.cad_jobs = static_cast<unsigned>(config.cad_jobs);
+  options.import_jobs = static_cast<unsigned>(config.import_jobs);
   options.sandbox = config.sandbox == "on" ? !sandbox::is_switched_off()
                                            : config.sandbox == "auto" && sandbox::is_wanted();
   if (config.sandbox == "auto" && !options.sandbox && !sandbox::is_switched_off())

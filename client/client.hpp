@@ -103,6 +103,14 @@ public:
                                                    const std::string& name, bool or_next_free,
                                                    const execution& run);
 
+  /// Uploads a CAD file (STEP, IGES, BREP) or a closed surface (STL, OBJ, PLY, 3MF), which the
+  /// server meshes, and makes it a document of the server as `add_document` does. Errors: also what
+  /// is wrong with the file (`bad_input`, `unsupported_format`, `mesher_failed`, ...),
+  /// `service_unavailable` where the server meshes none.
+  [[nodiscard]] expected<added_part> import_part(const std::filesystem::path& path,
+                                                 const std::string& name,
+                                                 const part_options& options, const execution& run);
+
   /// Gives the open document another name, also one that the server made up; all who have it open
   /// hear of it. Nothing when it has that name already. `before`: refused (`conflict`) when its
   /// name is another by now; empty: any. Errors: also `invalid_argument` for a name that no

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <system_error>
 
+#include "base/text.hpp"
 #include "client/impl.hpp"
 
 namespace tedit::client {
@@ -113,23 +114,57 @@ expected<committed> client::import_file(const std::filesystem::path& path, const
   return from_message(got->message.committed());
 }
 
-expected<std::string> client::add_document(const std::filesystem::path& path,
-                                           const std::string& name, bool or_next_free,
-                                           const execution& run) {
+expected<connection::answer> client::impl::ask_for_document(v1::ClientMessage request,
+                                                            const std::filesystem::path& path,
+                                                            const execution& run) {
   auto file = open_to_send(path);
   if (!file)
     return fail(std::move(file.error()));
+  const auto upload = next_upload++;
+  const auto say = [&](auto& body) {
+    body.set_upload(upload);
+    body.set_size(file->size);
+  };
+  if (request.has_import_part())
+    say(*request.mutable_import_part());
+  else
+    say(*request.mutable_add_document());
+  return ask_with_file(file->bytes, file->size, upload, std::move(request), body::kDocumentAdded,
+                       run);
+}
+
+expected<std::string> client::add_document(const std::filesystem::path& path,
+                                           const std::string& name, bool or_next_free,
+                                           const execution& run) {
   v1::ClientMessage request;
   auto* add = request.mutable_add_document();
   add->set_name(name);
   add->set_or_next_free(or_next_free);
-  add->set_upload(impl_->next_upload++);
-  add->set_size(file->size);
-  const auto got = impl_->ask_with_file(file->bytes, file->size, add->upload(), request,
-                                        body::kDocumentAdded, run);
+  const auto got = impl_->ask_for_document(std::move(request), path, run);
   if (!got)
     return fail(got.error());
   return got->message.document_added().document();
+}
+
+expected<added_part> client::import_part(const std::filesystem::path& path, const std::string& name,
+                                         const part_options& options, const execution& run) {
+  v1::ClientMessage request;
+  auto* part = request.mutable_import_part();
+  part->set_name(name);
+  part->set_or_next_free(options.or_next_free);
+  part->set_file_name(to_utf8(path.filename().string()));
+  part->set_fineness(options.fineness);
+  part->set_length_unit(options.length_unit);
+  for (const auto& one : options.local_sizes) {
+    auto* size = part->add_local_sizes();
+    size->set_surface(one.surface);
+    size->set_edge_length(one.edge_length);
+  }
+  const auto got = impl_->ask_for_document(std::move(request), path, run);
+  if (!got)
+    return fail(got.error());
+  const auto& added = got->message.document_added();
+  return added_part{added.document(), {added.warnings().begin(), added.warnings().end()}};
 }
 
 std::vector<offered_format> client::formats() const {

@@ -69,6 +69,10 @@ struct client::impl {
   expected<connection::answer> ask_with_file(std::ifstream& file, std::uint64_t size,
                                              std::uint64_t upload, v1::ClientMessage request,
                                              body::BodyCase wanted, const execution& run);
+  /// Sends the file, then the request that makes a document of it.
+  expected<connection::answer> ask_for_document(v1::ClientMessage request,
+                                                const std::filesystem::path& path,
+                                                const execution& run);
 
   /// Bytes of one piece of an upload.
   [[nodiscard]] std::uint64_t piece() const {

@@ -268,6 +268,26 @@ struct document_info {
   std::optional<std::uint32_t> head;      ///< The head's number; only of an open one that has any.
 };
 
+/// Shorter edges on some of a CAD part's surfaces.
+struct part_local_size {
+  std::string surface;     ///< A number, or a name that one face or several have.
+  double edge_length = 0;  ///< Of the longest edge there, m.
+};
+
+/// How a CAD file or a surface is meshed (message `tedit.v1.ImportPart`).
+struct part_options {
+  std::string fineness = "medium";  ///< "coarse", "medium", "fine".
+  std::string length_unit = {};     ///< Of an STL, OBJ or PLY: "mm" (also empty), "cm", "m", "in".
+  std::vector<part_local_size> local_sizes = {};  ///< Of a CAD file.
+  bool or_next_free = false;                      ///< Where the name is taken: NAME-2, ...
+};
+
+/// A document that was made of a part.
+struct added_part {
+  std::string document;               ///< The name that it has got.
+  std::vector<std::string> warnings;  ///< What a person should know, a sentence each.
+};
+
 /// A kind of mesh file that the server reads or writes (message `tedit.v1.FileFormat`).
 struct offered_format {
   std::string name;   ///< Also the suffix of such files: "msh".

@@ -38,6 +38,7 @@ access_role least_role(const v1::ClientMessage& message) {
     case v1::ClientMessage::kRemoveLoadCase:
     case v1::ClientMessage::kCancelSolve:
     case v1::ClientMessage::kAddDocument:
+    case v1::ClientMessage::kImportPart:
     case v1::ClientMessage::kRenameDocument:
     case v1::ClientMessage::kCopyDocument:
       return access_role::edit;

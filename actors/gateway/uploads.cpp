@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "actors/gateway/uploads.hpp"
 
+#include <algorithm>
+#include <array>
 #include <span>
+#include <string_view>
 #include <utility>
 
 #include "actors/errors.hpp"
 #include "actors/gateway/client_actor.hpp"
 #include "actors/session/session.hpp"
+#include "base/number_range.hpp"
 #include "base/text.hpp"
 
 namespace tedit::gateway {
@@ -20,6 +24,11 @@ constexpr std::size_t most_uploads = 64;
 
 /// Bytes of a file's name that are kept.
 constexpr std::size_t longest_file_name = 200;
+
+// What ImportPart may say.
+constexpr std::array<std::string_view, 3> finenesses{"coarse", "medium", "fine"};
+constexpr std::array<std::string_view, 4> length_units{"mm", "cm", "m", "in"};
+constexpr int most_local_sizes = 1000;
 
 }  // namespace
 
@@ -127,6 +136,82 @@ void add_document(client_state& client, std::uint64_t id, const v1::AddDocument&
       [=, &client](const caf::error& e) { client.refuse(id, e, "adding the document"); });
 }
 
+/// Errors: `invalid_argument` for one that is none of `known`.
+expected<void> check_word(const std::string& given, std::span<const std::string_view> known,
+                          const std::string& what) {
+  if (std::ranges::find(known, given) != known.end())
+    return {};
+  std::string all;
+  for (const auto& one : known)
+    all += (all.empty() ? "\"" : ", \"") + std::string(one) + "\"";
+  return fail(ec::invalid_argument, "\"" + given + "\" is no " + what, "Give one of " + all);
+}
+
+/// Errors: `invalid_argument`.
+expected<std::vector<part_local_size>> read_local_sizes(const v1::ImportPart& body) {
+  if (body.local_sizes_size() > most_local_sizes)
+    return fail(ec::invalid_argument,
+                "there are more than " + std::to_string(most_local_sizes) + " local sizes",
+                "Give a finer size for the whole part");
+  std::vector<part_local_size> sizes;
+  for (const auto& one : body.local_sizes()) {
+    const auto mm = 1e3 * one.edge_length();
+    if (auto ok =
+          check_number(mm, {1e-3, 1e6, "mm"}, "the edge length on surface " + one.surface());
+        !ok)
+      return fail(ok.error());
+    sizes.push_back({one.surface(), mm});
+  }
+  return sizes;
+}
+
+/// Errors: `invalid_argument`.
+expected<part_order> read_order(const v1::ImportPart& body) {
+  part_order order;
+  order.file_name =
+    cut_text(body.file_name().empty() ? "the file" : body.file_name(), longest_file_name);
+  order.length_unit = body.length_unit();
+  if (!body.fineness().empty())
+    order.size = body.fineness();
+  if (auto ok = check_word(order.size, finenesses, "fineness"); !ok)
+    return fail(ok.error());
+  if (!order.length_unit.empty())
+    if (auto ok = check_word(order.length_unit, length_units, "unit of length"); !ok)
+      return fail(ok.error());
+  auto sizes = read_local_sizes(body);
+  if (!sizes)
+    return fail(sizes.error());
+  order.local_sizes = std::move(*sizes);
+  return order;
+}
+
+void import_part(client_state& client, std::uint64_t id, const v1::ImportPart& body) {
+  auto file = take_upload(client, id, body.upload(), body.size());
+  if (!file)
+    return;
+  auto order = read_order(body);
+  if (!order)
+    return client.refuse(id, order.error());
+  order->file = std::move(file->pages);
+  order->held = std::move(file->held);
+  order->client_name = client.client_name;
+  order->client = caf::actor_cast<caf::actor>(client.self);
+  order->ticket = client.begin(id, {});
+  client.requests[id].stop = order->stop;
+  client.self
+    ->request(client.parts.hub, answer_limit,
+              part_request{body.name(), body.or_next_free(), std::move(*order)})
+    .then(
+      [=, &client](const added_document& added) {
+        v1::ServerMessage message;
+        auto* out = message.mutable_document_added();
+        out->set_document(added.name);
+        out->mutable_warnings()->Add(added.warnings.begin(), added.warnings.end());
+        client.answer(id, std::move(message));
+      },
+      [=, &client](const caf::error& e) { client.refuse(id, e, "the import"); });
+}
+
 void import(client_state& client, std::uint64_t id, const v1::ImportMesh& body) {
   // First: a file whose import is refused must not stay on the account.
   auto file = take_upload(client, id, body.upload(), body.size());
@@ -155,6 +240,7 @@ request_rows upload_requests() {
   using message = v1::ClientMessage;
   return {row_of<&message::upload_chunk, receive_upload>(message::kUploadChunk),
           row_of<&message::add_document, add_document>(message::kAddDocument),
+          row_of<&message::import_part, import_part>(message::kImportPart),
           row_of<&message::import_mesh, import>(message::kImportMesh)};
 }
 

@@ -139,49 +139,6 @@ void end_session(hub_pointer self, const session_actor& session) {
       });
 }
 
-// -- documents from elsewhere --------------------------------------------------------------------
-
-/// Errors: `conflict` when the name is taken and no other is wanted.
-expected<std::string> free_name(const hub_state& state, const add_request& request) {
-  if (auto ok = check_lasting_name(request.name); !ok)
-    return fail(ok.error());
-  if (!is_taken(state, request.name))
-    return request.name;
-  if (!request.or_next_free)
-    return fail(taken_name(request.name));
-  for (int number = 2;; ++number) {
-    const auto end = "-" + std::to_string(number);
-    const auto name = request.name.substr(0, longest_document_name - end.size()) + end;
-    if (!is_taken(state, name))
-      return name;
-  }
-}
-
-caf::result<added_document> add(hub_pointer self, const add_request& request) {
-  auto& state = self->state;
-  const auto name = free_name(state, request);
-  if (!name)
-    return to_caf(name.error());
-  state.adding.insert(*name);
-  const auto& disk = state.disks.for_load();
-  ++*disk.jobs;
-  auto promise = std::make_shared<caf::typed_response_promise<added_document>>(
-    self->make_response_promise<added_document>());
-  self->request(disk.actor, std::chrono::minutes(10), adoption{file_of(state, *name), request.file})
-    .then(
-      [=, name = *name, held = request.held](acknowledged) {
-        self->state.adding.erase(name);
-        ++self->state.name_changes;
-        forget_former(self->state, name);
-        promise->deliver(added_document{name});
-      },
-      [=, name = *name, held = request.held](const caf::error& e) {
-        self->state.adding.erase(name);
-        promise->deliver(to_caf(from_caf(e, "adding the document " + name)));
-      });
-  return *promise;
-}
-
 // -- other names ---------------------------------------------------------------------------------
 
 void take_renamed(hub_pointer self, const session_actor& session, const document_renamed& renamed) {
@@ -364,7 +321,8 @@ hub_actor::behavior_type make_hub(hub_actor::stateful_pointer<hub_state> self, h
   expect_ends(self);
   return {[=](const std::string& name) { return open(self, name, true); },
           [=](existing_atom, const std::string& name) { return open(self, name, false); },
-          [=](const add_request& request) { return add(self, request); },
+          [=](const add_request& request) { return add_document(self, request); },
+          [=](const part_request& request) { return add_part(self, request); },
           [=](const rename_request& request) { return rename(self, request); },
           [=](const copy_request& request) { return copy_document(self, request); },
           [=](const delete_request& request) { return delete_document(self, request); },

@@ -36,6 +36,7 @@ struct hub_parts {
   std::optional<disk_set> disks = {};  ///< None: the hub makes its own.
   job_thread_actor reader = {};        ///< As `session_parts::reader`.
   cad_editor_actor cad = {};           ///< As `session_parts::cad`.
+  part_importer_actor importer = {};   ///< Null: no CAD file is taken.
 };
 
 struct hub_state {

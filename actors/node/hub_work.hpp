@@ -42,6 +42,11 @@ void answer_all(hub_pointer self, const std::string& name, const session_actor& 
 /// Lets go a name that was held in `opening`: those who wait for it meanwhile have it opened.
 void let_go(hub_pointer self, const std::string& name);
 
+// -- arrivals.cpp --------------------------------------------------------------------------------
+
+caf::result<added_document> add_document(hub_pointer self, const add_request& request);
+caf::result<added_document> add_part(hub_pointer self, const part_request& request);
+
 // -- library.cpp ---------------------------------------------------------------------------------
 
 caf::result<document_list> list_documents(hub_pointer self);

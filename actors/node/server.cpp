@@ -8,6 +8,7 @@
 #include <caf/scoped_actor.hpp>
 
 #include "actors/cad/cad_editor.hpp"
+#include "actors/cad/part_importer.hpp"
 #include "actors/gateway/gateway.hpp"
 #include "actors/modeling/modeling.hpp"
 #include "actors/node/hub.hpp"
@@ -99,6 +100,14 @@ cad_editor_actor start_cad_editor(caf::actor_system& system, const modeling_acto
   for (unsigned i = 0; i < jobs; ++i)
     threads.push_back(spawn_background_thread(system));
   return system.spawn(make_cad_editor, modeling, std::move(threads));
+}
+
+part_importer_actor start_part_importer(caf::actor_system& system, const server_options& options) {
+  std::vector<job_thread_actor> threads;
+  for (unsigned i = 0; i < options.import_jobs; ++i)
+    threads.push_back(system.spawn<job_thread, caf::detached>());
+  return system.spawn(make_part_importer, std::move(threads),
+                      std::chrono::ceil<std::chrono::seconds>(options.import_limit));
 }
 
 std::vector<std::pair<std::string, std::string>> states_of(const role_healths& healths) {
@@ -257,10 +266,14 @@ expected<std::unique_ptr<server>> server::start(const server_options& options) {
     options.temporary_limit, results, versions};
   if (options.cad_jobs > 0)
     shared.cad = start_cad_editor(system, workers.modeling, options.cad_jobs);
+  if (options.import_jobs > 0)
+    shared.importer = start_part_importer(system, options);
   const auto hub = system.spawn(make_hub, shared);
   made->to_end = {caf::actor_cast<caf::actor>(hub), caf::actor_cast<caf::actor>(pages)};
   if (shared.cad)
     made->to_end.push_back(caf::actor_cast<caf::actor>(shared.cad));
+  if (shared.importer)
+    made->to_end.push_back(caf::actor_cast<caf::actor>(shared.importer));
   workers.for_each([&](worker_role, const auto& worker) {
     made->to_end.push_back(caf::actor_cast<caf::actor>(worker));
   });

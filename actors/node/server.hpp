@@ -49,6 +49,7 @@ struct server_options {
   /// Edits that are made on CAD models at once, behind all other work; 0: none, they are made when
   /// a model is exported.
   unsigned cad_jobs = 1;
+  unsigned import_jobs = 1;  ///< CAD files and surfaces that are meshed at once; 0: none is taken.
   std::chrono::milliseconds import_limit{10 * 60 * 1000};  ///< Also for exports.
   std::chrono::milliseconds edit_limit{2 * 60 * 1000};
   std::chrono::milliseconds solve_limit{2 * 60 * 60 * 1000};

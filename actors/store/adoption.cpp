@@ -10,6 +10,7 @@
 #include "actors/store/document_file.hpp"
 #include "actors/store/documents_folder.hpp"
 #include "actors/store/loading.hpp"
+#include "base/named_error.hpp"
 #include "base/system_failure.hpp"
 #include "base/unique_fd.hpp"
 
@@ -67,14 +68,6 @@ expected<void> give_name(const fs::path& draft, const fs::path& file) {
   return {};
 }
 
-/// A reason names the document, not the file that nobody knows.
-error told_of(error why, const std::string& draft, const std::string& name) {
-  for (auto* text : {&why.message, &why.remedy, &why.where})
-    for (auto at = text->find(draft); at != std::string::npos; at = text->find(draft))
-      text->replace(at, draft.size(), name);
-  return why;
-}
-
 }  // namespace
 
 expected<void> adopt(const fs::path& file, const std::vector<page_ptr>& bytes) {
@@ -84,7 +77,7 @@ expected<void> adopt(const fs::path& file, const std::vector<page_ptr>& bytes) {
     .and_then([&] { return write(draft.path, bytes); })
     .and_then([&] { return check(draft.path); })
     .and_then([&] { return give_name(draft.path, file); })
-    .map_error([&](const error& why) { return told_of(why, draft.path.string(), "the file"); });
+    .map_error([&](const error& why) { return named_error(why, draft.path.string(), "the file"); });
 }
 
 }  // namespace tedit::actors

@@ -21,20 +21,30 @@ worker_status worker_jobs::status() const {
           {}};
 }
 
-execution make_execution(job_id job, const order_base& order, cancel_token token) {
+execution make_execution(cancel_token token,
+                         std::function<void(double fraction, std::string_view stage)> tell) {
   using clock = std::chrono::steady_clock;
   constexpr auto interval = std::chrono::milliseconds(50);
   execution run;
   run.cancel = std::move(token);
   auto last = std::make_shared<clock::time_point>(clock::now() - interval);
-  run.progress = [=](double fraction, std::string_view stage) {
+  run.progress = [=, tell = std::move(tell)](double fraction, std::string_view stage) {
     const auto now = clock::now();
-    if (!order.listener || now - *last < interval)
+    if (now - *last < interval)
       return;
     *last = now;
-    caf::anon_send(order.listener, job_progress{job, fraction, std::string(stage)});
+    tell(fraction, stage);
   };
   return run;
+}
+
+execution make_execution(job_id job, const order_base& order, cancel_token token) {
+  if (!order.listener)
+    return {std::move(token), {}};
+  return make_execution(std::move(token),
+                        [job, to = order.listener](double fraction, std::string_view stage) {
+                          caf::anon_send(to, job_progress{job, fraction, std::string(stage)});
+                        });
 }
 
 }  // namespace tedit::actors

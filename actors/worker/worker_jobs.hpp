@@ -76,7 +76,11 @@ struct worker_jobs {
   }
 };
 
-/// An execution that reports to the listener of an order at most 20 times a second.
+/// An execution that reports to `tell`, on the working thread, at most 20 times a second.
+[[nodiscard]] execution make_execution(
+  cancel_token token, std::function<void(double fraction, std::string_view stage)> tell);
+
+/// One that reports so to the listener of an order, if it has one.
 [[nodiscard]] execution make_execution(job_id job, const order_base& order, cancel_token token);
 
 /// Calls `work` and turns what it throws into errors.

@@ -31,8 +31,7 @@ class segmenter {
 public:
   segmenter(const triangle_surface& surface, const segment_limits& limits,
             const std::vector<std::uint32_t>& groups)
-      : surface_(surface),
-        tolerance_(limits.tolerance),
+      : tolerance_(limits.tolerance),
         groups_(groups),
         net_(surface, limits.tolerance, groups),
         patch_of_(net_.facets().size(), no_id),
@@ -289,7 +288,6 @@ private:
     return made;
   }
 
-  const triangle_surface& surface_;
   double tolerance_;
   const std::vector<std::uint32_t>& groups_;
   facet_net net_;

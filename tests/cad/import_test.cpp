@@ -111,7 +111,7 @@ TEST(ImportedBox, ASizeForNoSurfaceOrWithoutALengthIsRefused) {
   for (const std::string text : {"1", "1=", "=2", "1=2mm", "1=-2", "1=nan", "1=1e9"})
     EXPECT_EQ(said("--local-size " + text).status, 2) << text;
   EXPECT_THAT(run("import --json " TEDIT_TEST_DATA "/scan/inch_block.stl --local-size 1=1").out,
-              ::testing::HasSubstr("--local-size is for CAD files"));
+              ::testing::HasSubstr("local sizes are for CAD files"));
 }
 
 TEST(ImportedInchBlock, HasTheSizeOfItsInches) {

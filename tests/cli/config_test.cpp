@@ -111,6 +111,7 @@ modeling_workers = 2
 optimizer_workers = 3
 solver_workers = 64
 cad_jobs = 0
+import_jobs = 7
 sandbox = "off"
 [limits]
 edit_timeout_s = 0.5
@@ -145,6 +146,7 @@ level = "debug"
   EXPECT_EQ(config->optimizer_workers, 3);
   EXPECT_EQ(config->solver_workers, 64);
   EXPECT_EQ(config->cad_jobs, 0);
+  EXPECT_EQ(config->import_jobs, 7);
   EXPECT_EQ(config->sandbox, "off");
   EXPECT_EQ(config->edit_timeout_s, 0.5);
   EXPECT_EQ(config->import_timeout_s, 60);

@@ -193,6 +193,7 @@ const std::map<std::string, access_role>& expected_roles() {
                                                       {"remove_load_case", edit},
                                                       {"cancel_solve", edit},
                                                       {"add_document", edit},
+                                                      {"import_part", edit},
                                                       {"get_surface", view},
                                                       {"rename_document", edit},
                                                       {"copy_document", edit},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // A part from CAD on a server: its edits are made on the CAD model, too, and all hear what came of
 // it.
+#include <cmath>
 #include <condition_variable>
 #include <mutex>
 
@@ -194,6 +195,94 @@ TEST_F(CadOnAServer, WithoutItsProgramItSaysSoAndTheEditsGoOn) {
   const auto next = value(user->edit("thicken", {3}, {{"depth", 1e-3}}, {}));
   ASSERT_TRUE(next.head.cad.has_value());
   EXPECT_EQ(next.head.cad->status, cad_status::failed) << "it is not tried again and again";
+}
+
+// -- CAD files that clients send -----------------------------------------------------------------
+
+/// With the model, on which edits are made, too; as `tedit import` makes it.
+TEST_F(CadOnAServer, ACadFileThatAClientSendsIsMeshedThere) {
+  told mine;
+  served host(folder_);
+  auto user = host.connect(mine.handlers());
+  std::vector<std::string> stages;
+  const execution run{{}, [&](double, std::string_view stage) { stages.emplace_back(stage); }};
+  const auto made = value(
+    user->import_part(TEDIT_TEST_DATA "/cad/inch_block.stp", "sent", {.fineness = "coarse"}, run));
+  EXPECT_EQ(made.document, "sent");
+  EXPECT_THAT(made.warnings, ::testing::IsEmpty());
+  EXPECT_THAT(stages, ::testing::Contains(HasSubstr("reading")));
+  const auto state = value(user->open("sent", false, false));
+  ASSERT_TRUE(state.head && state.head->cad);
+  EXPECT_EQ(state.head->cad->status, cad_status::same);
+  EXPECT_EQ(state.head->made_by, "test");
+  const auto here = value(user->open("block", false, false));
+  EXPECT_EQ(state.head->version_id, here.head->version_id) << "the mesh of tedit import";
+
+  value(user->open("sent", false, false));
+  value(user->edit("fill_hole", {8, 9}, {}, {}));
+  const auto first = mine.wait_for(1);
+  ASSERT_TRUE(first && first->cad);
+  EXPECT_EQ(first->cad->status, cad_status::same) << first->cad->reason;
+}
+
+/// What is wrong is said by the file's own name, and the server goes on.
+TEST_F(CadOnAServer, FilesThatAreNoPartCostTheirImportAlone) {
+  served host(folder_);
+  auto user = host.connect();
+  const auto refused = [&](const std::string& file, const client::part_options& options = {}) {
+    const auto made = user->import_part(file, "nothing", options, {});
+    EXPECT_FALSE(made.has_value()) << file;
+    return made ? error{} : made.error();
+  };
+  const std::string cad = TEDIT_TEST_DATA "/cad/";
+  auto why = refused(cad + "elsewhere.step");
+  EXPECT_EQ(why.code, ec::bad_input);
+  EXPECT_THAT(why.message, HasSubstr("refers to"));
+  EXPECT_EQ(why.where, "elsewhere.step");
+  EXPECT_EQ(refused(TEDIT_BIN "/tedit").code, ec::unsupported_format);
+  EXPECT_EQ(refused(cad + "box.step", {.fineness = "finest"}).code, ec::invalid_argument);
+  EXPECT_EQ(refused(cad + "box.step", {.length_unit = "in"}).code, ec::invalid_argument);
+  EXPECT_EQ(refused(cad + "box.step", {.local_sizes = {{"Bore", 1e-3}}}).code,
+            ec::surface_not_found);
+  for (const double size : {0.0, -1e-3, std::nan(""), HUGE_VAL, 1e-9})
+    EXPECT_EQ(refused(cad + "box.step", {.local_sizes = {{"1", size}}}).code, ec::invalid_argument)
+      << size;
+  why = refused(TEDIT_TEST_DATA "/scan/inch_block.stl", {.local_sizes = {{"1", 1e-3}}});
+  EXPECT_THAT(why.message, HasSubstr("local sizes are for CAD files"));
+  EXPECT_FALSE(std::filesystem::exists(documents() / "nothing.tedit"));
+
+  const auto scan = value(user->import_part(TEDIT_TEST_DATA "/scan/inch_block.stl", "block",
+                                            {.fineness = "coarse", .or_next_free = true}, {}));
+  EXPECT_EQ(scan.document, "block-2");
+  EXPECT_FALSE(value(user->open("block-2", false, false)).head->cad.has_value());
+}
+
+TEST_F(CadOnAServer, AnImportThatIsCancelledLeavesNothing) {
+  served host(folder_);
+  auto user = host.connect();
+  execution run;
+  run.progress = [stop = run.cancel](double, std::string_view stage) {
+    if (stage.find("mesh") != std::string_view::npos)
+      stop.cancel();
+  };
+  const auto ended =
+    user->import_part(TEDIT_TEST_DATA "/cad/as1_assembly.stp", "given up", {}, run);
+  ASSERT_FALSE(ended.has_value());
+  EXPECT_EQ(ended.error().code, ec::cancelled);
+  const auto again = user->import_part(TEDIT_TEST_DATA "/cad/box.step", "given up",
+                                       {.fineness = "coarse", .or_next_free = true}, {});
+  ASSERT_TRUE(again.has_value()) << render(again.error());
+}
+
+TEST_F(CadOnAServer, AServerThatMeshesNoneSaysWhatToDo) {
+  auto without = options();
+  without.import_jobs = 0;
+  const auto host = start(without);
+  const auto refused =
+    connect(host->url())->import_part(TEDIT_TEST_DATA "/cad/box.step", "box", {}, {});
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().code, ec::service_unavailable);
+  EXPECT_THAT(refused.error().remedy, HasSubstr("work.import_jobs"));
 }
 
 TEST_F(CadOnAServer, AServerThatMakesNoneLeavesItToTheExport) {

@@ -2,50 +2,20 @@
 // The actor that makes edits on CAD models: how many at once, in which order, and how they end.
 #include "actors/cad/cad_editor.hpp"
 #include "actors/cad/cad_rows.hpp"
-#include "tests/simulation/server.hpp"
-#include "tests/states/fixture.hpp"
+#include "tests/states/hands.hpp"
 
 namespace tedit::actors {
 namespace {
 
-/// The threads and the modeling worker of an editor in one: work waits until the test has it done.
-struct hands_state {
-  std::deque<std::pair<job_task, caf::typed_response_promise<acknowledged>>> tasks;
-  std::optional<error> refusal;  ///< Of the list of operations.
-  int asked = 0;
-  static inline const char* name = "hands";
-};
-using hands_actor = caf::stateful_actor<hands_state>;
-
-caf::behavior make_hands(hands_actor* self, int /*number*/) {
-  return {[=](catalog_atom) -> caf::result<shared_catalogue> {
-            ++self->state.asked;
-            if (self->state.refusal)
-              return to_caf(*self->state.refusal);
-            operation_catalogue all;
-            all.operations.emplace_back().about.id = "deform";
-            return shared_catalogue(std::move(all));
-          },
-          [=](const job_task& task) {
-            auto promise = self->make_response_promise<acknowledged>();
-            self->state.tasks.emplace_back(task, promise);
-            return promise;
-          },
-          [](const doing& that) { that.what(); }};
-}
-
-class CadEditor : public States {
+class CadEditor : public WithHands {
 protected:
   /// @param threads all of them are the same hands.
   explicit CadEditor(std::size_t threads = 1) {
-    hands_ = stage_.system().spawn(make_hands, 0);
-    const auto thread = caf::actor_cast<job_thread_actor>(hands_);
     editor_ = stage_.system().spawn(make_cad_editor, caf::actor_cast<modeling_actor>(hands_),
-                                    std::vector<job_thread_actor>(threads, thread));
+                                    threads_of(threads));
   }
   ~CadEditor() override { simulation::cut_off(caf::actor_cast<caf::actor>(editor_)); }
 
-  hands_state& hands() { return simulation::state_of<hands_state>(hands_); }
   answer<cad_outcome> edit(std::uint64_t job, const std::string& operation = "deform") {
     cad_order order;
     order.model = std::make_shared<const store::cad_row>(
@@ -61,18 +31,6 @@ protected:
   void cancel(std::uint64_t job) {
     tell(caf::actor_cast<caf::actor>(editor_), cancel_atom::value, job_id{job});
   }
-  /// The oldest piece of work is done.
-  void work() {
-    ASSERT_FALSE(hands().tasks.empty());
-    within(hands_, [this] {
-      auto [task, promise] = std::move(hands().tasks.front());
-      hands().tasks.pop_front();
-      task.run();
-      promise.deliver(acknowledged{});
-    });
-  }
-
-  caf::actor hands_;
   cad_editor_actor editor_;
 };
 

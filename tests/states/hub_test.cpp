@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Documents to which nobody gave a name, with the hub, sessions and stores as they are and real
 // files.
+#include <deque>
 #include <filesystem>
+#include <fstream>
+#include <span>
 
 #include "actors/node/hub.hpp"
 #include "actors/pages/page_store.hpp"
@@ -42,6 +45,7 @@ protected:
     parts.disks = disks_->disks();
     parts.unused_limit = seconds(2);
     parts.temporary_limit = seconds(60);
+    parts.importer = importer_;
     hub_ = stage_.system().spawn(make_hub, parts);
   }
 
@@ -100,8 +104,94 @@ protected:
   std::filesystem::path folder_;
   std::unique_ptr<simulation::simulated_disks> disks_;
   hub_actor hub_;
+  part_importer_actor importer_;
   caf::actor client_ = make_client();
 };
+
+struct slow_importer_state {
+  std::deque<caf::typed_response_promise<part_document>> asked;
+  static inline const char* name = "slow_importer";
+};
+
+/// With an importer that answers when the test has it.
+class HubWithImporter : public Hub {
+protected:
+  HubWithImporter() {
+    slow_ = stage_.system().spawn(
+      [](caf::stateful_actor<slow_importer_state>* self, int) -> caf::behavior {
+        return {[=](const part_order&) -> caf::result<part_document> {
+                  self->state.asked.push_back(self->make_response_promise<part_document>());
+                  return self->state.asked.back();
+                },
+                [](const doing& that) { that.what(); }};
+      },
+      0);
+    importer_ = caf::actor_cast<part_importer_actor>(slow_);
+    end();
+    start();
+  }
+
+  answer<added_document> import(const std::string& name, bool or_next_free = false) {
+    auto result = ask<added_document>(hub_, part_request{name, or_next_free, {}});
+    pass(milliseconds(1));
+    return result;
+  }
+  std::size_t asked() { return simulation::state_of<slow_importer_state>(slow_).asked.size(); }
+  /// The oldest import ends.
+  void end_import(const std::function<void(caf::typed_response_promise<part_document>&)>& answer) {
+    within(slow_, [=, this] {
+      auto& all = simulation::state_of<slow_importer_state>(slow_).asked;
+      answer(all.front());
+      all.pop_front();
+    });
+    pass(seconds(1));
+  }
+  static std::vector<page_ptr> document() {
+    std::ifstream in(TEDIT_TEST_DATA "/documents/cube_format_1.tedit", std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+    return {page::from_bytes(std::as_bytes(std::span(bytes)))};
+  }
+
+  caf::actor slow_;
+};
+
+TEST_F(HubWithImporter, TheNameIsHeldWhileAPartIsMeshed) {
+  const auto first = import("bracket");
+  const auto same = import("bracket");
+  EXPECT_EQ(same.refusal().code, ec::conflict) << "nobody waits for a mesh that has no place to go";
+  const auto next = import("bracket", true);
+  EXPECT_EQ(open("bracket").refusal().code, ec::conflict);
+  EXPECT_EQ(asked(), 2U);
+
+  end_import([](auto& promise) { promise.deliver(part_document{document(), {"a note"}}); });
+  ASSERT_TRUE(first.is_success()) << render(first.refusal());
+  EXPECT_EQ(first.value().name, "bracket");
+  EXPECT_THAT(first.value().warnings, ElementsAre("a note"));
+  EXPECT_TRUE(open("bracket").is_success());
+  end_import([](auto& promise) { promise.deliver(part_document{document(), {}}); });
+  EXPECT_EQ(next.value().name, "bracket-2");
+}
+
+TEST_F(HubWithImporter, ARefusedPartGivesItsNameBack) {
+  const auto first = import("bracket");
+  end_import([](auto& promise) {
+    promise.deliver(to_caf({ec::mesher_failed, "the mesher ended", "Try another size", {}}));
+  });
+  EXPECT_EQ(first.refusal().code, ec::mesher_failed);
+  EXPECT_EQ(first.refusal().remedy, "Try another size");
+  EXPECT_FALSE(is_there("bracket"));
+  const auto second = import("bracket");
+  end_import([](auto& promise) { promise.deliver(part_document{document(), {}}); });
+  EXPECT_TRUE(second.is_success());
+}
+
+TEST_F(Hub, WithoutAnImporterPartsAreRefusedWithTheWayAround) {
+  const auto refused = ask<added_document>(hub_, part_request{"bracket", false, {}});
+  pass(seconds(1));
+  EXPECT_EQ(refused.refusal().code, ec::service_unavailable);
+  EXPECT_THAT(refused.refusal().remedy, HasSubstr("tedit import"));
+  EXPECT_FALSE(is_there("bracket"));
+}
 
 TEST(TemporaryNames, AreThoseThatTheServerMakes) {
   EXPECT_TRUE(is_temporary("temporary-1764100000000000000-1"));

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Answers that bring arrays."""
+"""Answers of several values."""
 from __future__ import annotations
 
 import dataclasses
@@ -9,6 +9,14 @@ from .surface import Surface
 from .v1 import comparison_pb2 as comparison
 from .v1 import report_pb2
 from .v1 import session_pb2 as session
+
+
+@dataclasses.dataclass(frozen=True)
+class ImportedPart:
+    """A document that was made of a CAD file or a surface."""
+
+    document: str
+    warnings: tuple[str, ...]  #: What a person should know, a sentence each.
 
 
 @dataclasses.dataclass(frozen=True)

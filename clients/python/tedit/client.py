@@ -11,6 +11,7 @@ import typing
 
 from . import errors
 from ._link import Answer, Link, Progress
+from .answers import ImportedPart
 from .document import Document
 from .events import Reconnected
 from .streams import Arrays
@@ -21,7 +22,7 @@ from .v1 import session_pb2 as session
 from .values import FileLike, contents
 
 #: Asked twice these do something else the second time, and have no edit id that would keep them from it.
-NOT_REPEATED = ("copy_document", "delete_document", "add_document")
+NOT_REPEATED = ("copy_document", "delete_document", "add_document", "import_part")
 #: Of the time for connecting again, how long one try may take, s.
 TRY_S = 5
 
@@ -136,8 +137,31 @@ class Client:
         self, file: FileLike, name: str, *, or_next_free: bool = False, progress: Progress | None = None, cancel: CancelToken | None = None
     ) -> str:
         """Makes a document file (.tedit) a document of the server and returns its name."""
-        body = session.AddDocument(name=name, or_next_free=or_next_free)
+        body = library.AddDocument(name=name, or_next_free=or_next_free)
         return self._ask("add_document", body, file=contents(file)[0], progress=progress, cancel=cancel, quick=False).body.document
+
+    def import_part(
+        self,
+        file: FileLike,
+        name: str,
+        *,
+        fineness: str = "medium",
+        length_unit: str = "",
+        local_sizes: typing.Mapping[str | int, float] | None = None,
+        or_next_free: bool = False,
+        progress: Progress | None = None,
+        cancel: CancelToken | None = None,
+    ) -> ImportedPart:
+        """Meshes a CAD file (STEP, IGES, BREP) or a closed surface (STL, OBJ, PLY, 3MF) on the server and makes it a
+        document. `fineness` is "coarse", "medium" or "fine"; `local_sizes` has the longest edge, m, on surfaces of a CAD
+        file by their number or name; `length_unit` is that of an STL, OBJ or PLY: "mm", "cm", "m", "in"."""
+        data, file_name = contents(file)
+        sizes = [library.ImportPart.LocalSize(surface=str(one), edge_length=size) for one, size in (local_sizes or {}).items()]
+        body = library.ImportPart(
+            name=name, or_next_free=or_next_free, file_name=file_name, fineness=fineness, length_unit=length_unit, local_sizes=sizes
+        )
+        made = self._ask("import_part", body, file=data, progress=progress, cancel=cancel, quick=False).body
+        return ImportedPart(made.document, tuple(made.warnings))
 
     # -- for documents
 

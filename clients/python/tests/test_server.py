@@ -92,6 +92,31 @@ class FromCad(unittest.TestCase):
         self.assertEqual([one.cad.status for one in part.history().versions], [states.SAME, states.SAME, states.MESH_ONLY])
 
 
+    def test_the_server_meshes_a_cad_file(self):
+        step = SOURCE / "tests/data/cad/inch_block.stp"
+        stages = []
+        made = client.import_part(step, "block", fineness="coarse", progress=lambda _, stage: stages.append(stage))
+        self.assertEqual((made.document, made.warnings), ("block", ()))
+        part = client.open("block")
+        self.assertEqual(part.head.cad.status, session.CadState.SAME)
+        self.assertEqual(part.head.made_by, "tedit-python")
+        self.assertTrue(any("mesh" in stage for stage in stages), stages)
+        finer = client.import_part(step, "block", fineness="coarse", local_sizes={9: 5e-4}, or_next_free=True)
+        self.assertEqual(finer.document, "block-2")
+        self.assertGreater(client.open("block-2").head.tets, part.head.tets)
+
+    def test_a_file_that_is_no_part_is_refused_by_its_name(self):
+        for given, problem in ((b"no part at all", errors.TeditError), (SOURCE / "README.md", errors.TeditError)):
+            with self.assertRaises(problem) as refused:
+                client.import_part(given, "nothing")
+            self.assertNotIn("/tmp", str(refused.exception))
+        with self.assertRaises(errors.InvalidArgument):
+            client.import_part(SOURCE / "tests/data/cad/box.step", "nothing", fineness="very fine")
+        with self.assertRaises(errors.InvalidArgument):
+            client.import_part(SOURCE / "tests/data/cad/box.step", "nothing", local_sizes={1: float("nan")})
+        self.assertNotIn("nothing", [one.name for one in client.documents()])
+
+
 class Editing(unittest.TestCase):
     def setUp(self):
         self.part = client.open()

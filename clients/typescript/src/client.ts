@@ -7,7 +7,7 @@ import type { Arrays } from "./streams.js";
 import type { Catalogue, DocumentInfo, DocumentState, ServerMessage, ServerStatus, Welcome } from "./v1.js";
 
 /** Asked twice these do something else the second time, and have no edit id that would keep them from it. */
-const notRepeated = new Set(["copyDocument", "deleteDocument", "addDocument"]);
+const notRepeated = new Set(["copyDocument", "deleteDocument", "addDocument", "importPart"]);
 /** Of the time for connecting again, how long one try may take. */
 const tryMs = 5_000;
 
@@ -25,6 +25,25 @@ export interface ConnectOptions {
   silenceMs?: number;
   /** Instead of the global WebSocket or, in Node, that of the package ws. */
   makeSocket?: (url: string) => SocketLike;
+}
+
+/** How a CAD file or a surface is meshed. */
+export interface ImportOptions extends CallOptions {
+  fineness?: "coarse" | "medium" | "fine";
+  /** What the coordinates of an STL, OBJ or PLY are in; default "mm". */
+  lengthUnit?: "mm" | "cm" | "m" | "in";
+  /** The longest edge, m, on surfaces of a CAD file, by their number or name. */
+  localSizes?: Record<string, number>;
+  /** For the history, and for what is said about the file. */
+  fileName?: string;
+  /** Where the name is taken: NAME-2, NAME-3, ... */
+  orNextFree?: boolean;
+}
+
+export interface ImportedPart {
+  document: string;
+  /** What a person should know, a sentence each. */
+  warnings: string[];
 }
 
 async function socketMaker(): Promise<(url: string) => SocketLike> {
@@ -128,6 +147,24 @@ export class Client {
     const orNextFree = options.orNextFree ?? false;
     const request = (upload: bigint, size: bigint): Request => ({ case: "addDocument", value: { name, orNextFree, upload, size } });
     return (await this.askWithFile(file, request, "documentAdded", options)).value.document;
+  }
+
+  /**
+   * Meshes a CAD file (STEP, IGES, BREP) or a closed surface (STL, OBJ, PLY, 3MF) on the server and makes it a document;
+   * tells its name, and what a person should know.
+   */
+  async importPart(file: Uint8Array, name: string, options: ImportOptions = {}): Promise<ImportedPart> {
+    const how = {
+      name,
+      orNextFree: options.orNextFree ?? false,
+      fileName: options.fileName ?? "",
+      fineness: options.fineness ?? "",
+      lengthUnit: options.lengthUnit ?? "",
+      localSizes: Object.entries(options.localSizes ?? {}).map(([surface, edgeLength]) => ({ surface, edgeLength })),
+    };
+    const request = (upload: bigint, size: bigint): Request => ({ case: "importPart", value: { ...how, upload, size } });
+    const { document, warnings } = (await this.askWithFile(file, request, "documentAdded", options)).value;
+    return { document, warnings };
   }
 
   // -- for documents

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // The package in Node against a real server and a real part.
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
 import { after, before, beforeEach, test, type TestContext } from "node:test";
 import * as tedit from "../src/index.js";
-import { Line, loadCase, loads, plate, Server } from "./serving.js";
+import { Line, loadCase, loads, noCad, plate, Server, source } from "./serving.js";
 
 let server: Server;
 let client: tedit.Client;
@@ -140,6 +142,16 @@ test("the difference of fields", async () => {
   const rows = arrays.u32("vertices").length;
   assert.equal(arrays.u8("difference_mark").length, rows);
   assert.equal(arrays.f32("displacement_m_difference").length, 3 * rows);
+});
+
+test("a CAD file becomes a document", { skip: noCad }, async () => {
+  const step = new Uint8Array(readFileSync(join(source, "tests/data/cad/inch_block.stp")));
+  const made = await client.importPart(step, "block", { fileName: "inch_block.stp", fineness: "coarse" });
+  assert.deepEqual(made, { document: "block", warnings: [] });
+  const block = await client.open("block");
+  assert.equal(block.head?.cad?.status, tedit.v1.CadState_Status.SAME);
+  await assert.rejects(client.importPart(new Uint8Array([1, 2, 3]), "none", { fileName: "odd.step" }), (e) => e instanceof tedit.TeditError && e.where === "odd.step");
+  await assert.rejects(client.importPart(step, "none", { localSizes: { Bore: 1e-3 } }), tedit.TeditError);
 });
 
 test("files and documents", async () => {

@@ -4,7 +4,7 @@ import { spawn, type ChildProcess } from "node:child_process";
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { connect as dial, createServer, type Server as TcpServer, type Socket } from "node:net";
 import { tmpdir } from "node:os";
-import { join } from "node:path";
+import { dirname, join } from "node:path";
 import { connect, type Client } from "../src/index.js";
 import type { ConnectOptions } from "../src/client.js";
 
@@ -12,6 +12,8 @@ export const source = process.env["TEDIT_SOURCE"]!;
 export const plate = new Uint8Array(readFileSync(join(source, "examples/ctc01_plate/ctc01_plate.coarse.msh")));
 export const loads = () => JSON.parse(readFileSync(join(source, "examples/ctc01_plate/load_case.json"), "utf8"));
 export const loadCase = "ctc01_plate static";
+/** Why tests with CAD files are left out; false: they are not. */
+export const noCad = existsSync(join(dirname(process.env["TEDIT_PROGRAM"]!), "tedit-cad-mesher")) ? false : "this build has no OpenCASCADE";
 const startLimitMs = 60_000;
 
 /** `tedit serve` of a user of its own. */
