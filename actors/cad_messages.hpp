@@ -80,7 +80,7 @@ struct part_document {
 
 /// The same for the hub: the name that the document is to have.
 struct part_request {
-  std::string name;
+  std::string name;           ///< Empty: a temporary document.
   bool or_next_free = false;  ///< Where the name is taken: NAME-2, ...
   part_order part;
 };

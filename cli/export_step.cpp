@@ -14,41 +14,44 @@ bool is_step(const std::string& file) {
   return suffix == ".step" || suffix == ".stp";
 }
 
-int run_export_step(const step_options& options, session& s) {
+expected<written_step> export_step_file(const step_options& options, const execution& run) {
+  constexpr const char* begin_with_cad =
+    "Begin with \"tedit import PART.step -o PART.tedit\", and edit that";
   if (!is_document(options.document))
-    return print_error(s, {ec::usage,
-                           options.document + " is no document: a mesh has no CAD model",
-                           "Begin with \"tedit import PART.step -o PART.tedit\", and edit that",
-                           {}});
-  const auto run = make_execution(s);
+    return fail(ec::usage, options.document + " is no document: a mesh has no CAD model",
+                begin_with_cad);
   const auto part = read_part(options.document, options.version, run.part(0, 0.5));
   if (!part)
-    return print_error(s, part.error());
+    return fail(part.error());
   if (!part->cad)
-    return print_error(s, {ec::not_found,
-                           options.document + " has no CAD model: the part came from a mesh",
-                           "Begin with \"tedit import PART.step -o PART.tedit\", and edit that",
-                           {}});
+    return fail(ec::not_found, options.document + " has no CAD model: the part came from a mesh",
+                begin_with_cad);
   if (!part->cad->model)
-    return print_error(s, {ec::not_found,
-                           "the CAD model is older than version " + std::to_string(part->number) +
-                             ": " + part->cad->reason,
-                           "Export an earlier version with --version, or the mesh "
-                           "(\"tedit doc export\")",
-                           {}});
+    return fail(ec::not_found,
+                "the CAD model is older than version " + std::to_string(part->number) + ": " +
+                  part->cad->reason,
+                "Export an earlier version with --version, or the mesh (\"tedit doc export\")");
   const auto& model = *part->cad->model;
   if (auto written = cad::write_step(model, options.output, {}, run.part(0.5, 1)); !written)
-    return print_error(s, written.error());
+    return fail(written.error());
+  return written_step{part->number, model.facts.solids.size(), model.facts.faces.size(),
+                      part->cad->deviation_m};
+}
+
+int run_export_step(const step_options& options, session& s) {
+  const auto done = export_step_file(options, make_execution(s));
+  if (!done)
+    return print_error(s, done.error());
   print_result(s,
                {{"file", options.output},
                 {"format", "step"},
-                {"version", part->number},
-                {"solids", model.facts.solids.size()},
-                {"faces", model.facts.faces.size()},
-                {"deviation_m", part->cad->deviation_m}},
-               options.output + ": " + std::to_string(model.facts.solids.size()) + " solids, " +
-                 std::to_string(model.facts.faces.size()) + " faces, version " +
-                 std::to_string(part->number) + "\n");
+                {"version", done->version},
+                {"solids", done->solids},
+                {"faces", done->faces},
+                {"deviation_m", done->deviation_m}},
+               options.output + ": " + std::to_string(done->solids) + " solids, " +
+                 std::to_string(done->faces) + " faces, version " + std::to_string(done->version) +
+                 "\n");
   return 0;
 }
 

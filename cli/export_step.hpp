@@ -19,7 +19,19 @@ struct step_options {
 /// By its suffix.
 [[nodiscard]] bool is_step(const std::string& file);
 
-/// Returns the exit status.
+struct written_step {
+  std::uint32_t version = 0;
+  std::size_t solids = 0;
+  std::size_t faces = 0;
+  double deviation_m = 0;  ///< Of the mesh from the model, at most.
+};
+
+/// Writes the file. Errors: `usage` for what is no document, `not_found` for a part without a CAD
+/// model and for an edit that is in the mesh only; those of `read_part` and `cad::write_step`.
+[[nodiscard]] expected<written_step> export_step_file(const step_options& options,
+                                                      const execution& run);
+
+/// The same as a command. Returns the exit status.
 int run_export_step(const step_options& options, session& s);
 
 }  // namespace tedit::cli

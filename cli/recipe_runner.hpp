@@ -80,6 +80,7 @@ public:
 
 private:
   expected<void> step(const import_step& s);
+  expected<void> import_part(const import_step& s);
   expected<void> step(const client::load_case_step& s);
   expected<void> step(const client::remove_load_case_step& s);
   expected<void> step(const client::edit_step& s);
@@ -101,6 +102,7 @@ private:
   expected<std::vector<client::field_event>> await_fields(const client::solve_settings& settings);
   void add_rows(const std::vector<client::field_event>& fields, bool known);
   expected<void> write(const std::string& format, const std::filesystem::path& path);
+  expected<void> write_step(const std::filesystem::path& path);
   expected<void> draw(const export_step& s, const std::filesystem::path& png,
                       const std::vector<std::string>& more = {});
   expected<void> note(std::size_t number, const std::string& kind,

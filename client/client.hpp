@@ -104,9 +104,10 @@ public:
                                                    const execution& run);
 
   /// Uploads a CAD file (STEP, IGES, BREP) or a closed surface (STL, OBJ, PLY, 3MF), which the
-  /// server meshes, and makes it a document of the server as `add_document` does. Errors: also what
-  /// is wrong with the file (`bad_input`, `unsupported_format`, `mesher_failed`, ...),
-  /// `service_unavailable` where the server meshes none.
+  /// server meshes, and makes it a document of the server as `add_document` does; without a name it
+  /// is a temporary one. Errors: also what is wrong with the file (`bad_input`,
+  /// `unsupported_format`, `mesher_failed`, ...), `service_unavailable` where the server meshes
+  /// none.
   [[nodiscard]] expected<added_part> import_part(const std::filesystem::path& path,
                                                  const std::string& name,
                                                  const part_options& options, const execution& run);

@@ -23,8 +23,10 @@ namespace tedit::client {
 // -- steps that work on the part ---------------------------------------------------------
 
 struct import_step {
-  std::filesystem::path mesh;
+  std::filesystem::path mesh;  ///< Or a part that is meshed first: client/part_files.hpp.
   std::string length_unit = "mm";
+  std::string size = {};  ///< Of such a part, one of `part_sizes`; empty: medium.
+  std::map<std::string, double> local_sizes_mm = {};  ///< Longest edges, by surface, of a CAD part.
 
   friend bool operator==(const import_step&, const import_step&) = default;
 };
@@ -66,10 +68,14 @@ struct solve_step {
 
   friend bool operator==(const solve_step&, const solve_step&) = default;
 };
+/// The CAD model with all edits, of a part that came from CAD.
+inline constexpr const char* step_format = "step";
+
 /// Files with `{version}` in their names get the number of the version in the session (0 is the
 /// imported one).
 struct export_step {
-  /// By their format, a name in mesh/formats.hpp; in the file the keys `msh`, `stl`, `vtu`, ...
+  /// By their format, a name in mesh/formats.hpp or `step_format`; in the file the keys `msh`,
+  /// `stl`, `vtu`, ...
   std::map<std::string, std::string> files;
   std::string png;
   std::string title;

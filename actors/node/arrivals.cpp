@@ -8,7 +8,7 @@ namespace {
 
 using added_promise = std::shared_ptr<caf::typed_response_promise<added_document>>;
 
-/// Errors: `conflict` when the name is taken and no other is wanted.
+/// The name of a new document. Errors: `conflict` when it is taken and no other is wanted.
 expected<std::string> free_name(const hub_state& state, const std::string& wanted,
                                 bool or_next_free) {
   if (auto ok = check_lasting_name(wanted); !ok)
@@ -44,6 +44,7 @@ void adopt_file(hub_pointer self, const std::vector<page_ptr>& file,
         state.adding.erase(named.name);
         ++state.name_changes;
         forget_former(state, named.name);
+        note_left(self, named.name);  // Nobody has it open yet.
         promise->deliver(named);
       },
       [self, held, named, promise](const caf::error& e) {
@@ -73,7 +74,8 @@ caf::result<added_document> add_part(hub_pointer self, const part_request& reque
                    "Mesh it with \"tedit import PART -o PART.tedit\" and add that document, or set "
                    "work.import_jobs in the server's configuration",
                    {}});
-  const auto name = free_name(state, request.name, request.or_next_free);
+  const auto name = request.name.empty() ? expected<std::string>(make_temporary_name(state))
+                                         : free_name(state, request.name, request.or_next_free);
   if (!name)
     return to_caf(name.error());
   state.adding.insert(*name);

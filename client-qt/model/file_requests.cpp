@@ -166,12 +166,11 @@ void file_requests::reopen() {
 
 void file_requests::import(const QString& mesh, const QStringList& load_cases,
                            const QString& unit) {
-  import_from({mesh, load_cases, unit.isEmpty() ? "mm" : unit});
+  import_from({mesh, load_cases, unit.isEmpty() ? "mm" : unit, "medium", {}});
 }
 
-void file_requests::import_cad(const QString& file, const QStringList& load_cases,
-                               const QString& size, const QString& unit) {
-  import_from({file, load_cases, unit, size});
+void file_requests::import_cad(const imported_file& file) {
+  import_from(file);
 }
 
 void file_requests::import_anew(imported_file file, const QString& unit) {
@@ -213,7 +212,8 @@ expected<std::string> file_requests::open_empty(client::client& server, const QS
 expected<file_requests::ready> file_requests::make_of_cad(client::client& server,
                                                           const execution& run,
                                                           const imported_file& file) {
-  const auto meshed = mesh_cad_file(file.mesh, file.size, file.unit, run.part(0, 0.8));
+  const auto meshed =
+    mesh_cad_file({file.mesh, file.size, file.unit, file.local_sizes_mm}, run.part(0, 0.8));
   if (!meshed)
     return fail(meshed.error());
   const auto name = new_document_name(file.mesh, QDateTime::currentDateTime()).toStdString();

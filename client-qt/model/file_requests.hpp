@@ -6,9 +6,11 @@
 
 #include <atomic>
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "client-qt/net/remote.hpp"
@@ -24,6 +26,7 @@ struct imported_file {
   QStringList load_cases;
   QString unit;             ///< "mm", "cm", "m", "in".
   QString size = "medium";  ///< Of the mesh of a CAD or surface file: "coarse", "medium", "fine".
+  std::map<std::string, double> local_sizes_mm = {};  ///< Of a CAD file: longest edges, by surface.
 };
 
 /// Opening, importing, exporting and closing. `document::opened` or `document::failed` follows. The
@@ -45,8 +48,7 @@ public:
   /// The same from a CAD file, which is meshed on this computer first (`mesh_cad_file`); the
   /// document has its model, too. Or from a surface file (STL, OBJ, PLY, 3MF), which has none;
   /// `unit` is that of its coordinates where it says none.
-  void import_cad(const QString& file, const QStringList& load_cases, const QString& size,
-                  const QString& unit = "mm");
+  void import_cad(const imported_file& file);
   /// What was imported once more, in another unit.
   void import_anew(imported_file file, const QString& unit);
   /// Gives the server a document that lies in a file, under its name or, where that is taken, the

@@ -5,7 +5,9 @@
 #include <QFileInfo>
 #include <QJsonArray>
 
+#include "base/short_number.hpp"
 #include "client-qt/net/own_program.hpp"
+#include "client/part_files.hpp"
 
 namespace tedit::desktop {
 
@@ -15,28 +17,25 @@ struct cad_import_phrases {
   Q_DECLARE_TR_FUNCTIONS(cad_import)
 };
 
-const QStringList& suffixes() {
-  static const QStringList all{"step", "stp", "iges", "igs", "brep"};
-  return all;
-}
-
-const QStringList& surface_suffixes() {
-  static const QStringList all{"stl", "obj", "ply", "3mf"};
-  return all;
-}
-
 }  // namespace
 
 bool is_cad_file(const QString& path) {
-  return suffixes().contains(QFileInfo(path).suffix().toLower());
+  return client::is_cad_file(path.toStdString());
 }
 
 bool is_surface_file(const QString& path) {
-  return surface_suffixes().contains(QFileInfo(path).suffix().toLower());
+  return client::is_surface_file(path.toStdString());
 }
 
 QString cad_patterns() {
-  return "*." + (suffixes() + surface_suffixes()).join(" *.");
+  QStringList all;
+  const auto add = [&](const auto& suffixes) {
+    for (const auto& suffix : suffixes)
+      all << "*." + QString::fromUtf8(suffix.data(), static_cast<qsizetype>(suffix.size()));
+  };
+  add(client::cad_suffixes);
+  add(client::surface_suffixes);
+  return all.join(" ");
 }
 
 bool is_step_file(const QString& path) {
@@ -44,8 +43,8 @@ bool is_step_file(const QString& path) {
   return suffix == "step" || suffix == "stp";
 }
 
-expected<meshed_part> mesh_cad_file(const QString& file, const QString& size, const QString& unit,
-                                    const execution& run) {
+expected<meshed_part> mesh_cad_file(const cad_file& part_file, const execution& run) {
+  const auto& file = part_file.path;
   run.report(0.05, (is_surface_file(file) ? cad_import_phrases::tr("meshing the surface")
                                           : cad_import_phrases::tr("meshing the CAD file"))
                      .toStdString());
@@ -54,9 +53,11 @@ expected<meshed_part> mesh_cad_file(const QString& file, const QString& size, co
     return fail(ec::io_error, "no temporary folder can be made",
                 "Set TMPDIR to a folder with room that you may write to");
   part.document = part.folder->filePath("part.tedit");
-  QStringList arguments{"import", file, "--size", size, "-o", part.document};
+  QStringList arguments{"import", file, "--size", part_file.size, "-o", part.document};
   if (is_surface_file(file))
-    arguments << "--unit" << unit;
+    arguments << "--unit" << part_file.unit;
+  for (const auto& [surface, mm] : part_file.local_sizes_mm)
+    arguments << "--local-size" << QString::fromStdString(surface + "=" + short_number(mm, 17));
   const auto answer = run_own_program(arguments, run);
   if (!answer)
     return fail(answer.error());

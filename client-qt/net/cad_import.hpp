@@ -4,6 +4,7 @@
 #include <QString>
 #include <QTemporaryDir>
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -33,13 +34,18 @@ struct meshed_part {
   std::vector<std::string> warnings;  ///< What a person should know, one sentence each.
 };
 
+/// A CAD or surface file, and how it is meshed.
+struct cad_file {
+  QString path;
+  QString size = "medium";  ///< "coarse", "medium", "fine".
+  QString unit = "mm";      ///< Of a surface that says none: "mm", "cm", "m", "in".
+  std::map<std::string, double> local_sizes_mm;  ///< Of a CAD file, by surface.
+};
+
 /// Meshes a CAD or surface file by this installation's "tedit import": on this computer, whichever
-/// server the window works with, in processes that may die. `size`: "coarse", "medium" or "fine".
-/// `unit`: of a surface file that says none: "mm", "cm", "m" or "in". It waits: for a thread of
-/// work. Errors: those that the program says; `cancelled`; `service_unavailable` where it does not
-/// start.
-[[nodiscard]] expected<meshed_part> mesh_cad_file(const QString& file, const QString& size,
-                                                  const QString& unit, const execution& run);
+/// server the window works with, in processes that may die. It waits: for a thread of work. Errors:
+/// those that the program says; `cancelled`; `service_unavailable` where it does not start.
+[[nodiscard]] expected<meshed_part> mesh_cad_file(const cad_file& part_file, const execution& run);
 
 /// Writes the CAD model of a document with all its edits as a STEP file, by "tedit export", on this
 /// computer. `document`: its file's bytes. It waits. Errors: those that the program says, as where

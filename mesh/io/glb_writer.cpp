@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <ostream>
 
 #include <nlohmann/json.hpp>
@@ -40,7 +41,7 @@ double light_of(std::uint8_t value) {
 /// Facets that look alike: a primitive with its material.
 struct patch {
   std::string name;
-  json extras;
+  std::optional<surface_id> surface;  ///< None of facets that a field gave their colour.
   byte_colour colour{};
   std::vector<std::uint32_t> corners;
 };
@@ -50,7 +51,7 @@ patch patch_of_surface(const mesh_version& mesh, const file_colours& colours, su
   const auto* row = mesh.find_surface(surface);
   result.name =
     row && !row->name.empty() ? row->name : std::string("surface ") + std::to_string(surface);
-  result.extras = {{"surface", surface}};
+  result.surface = surface;
   // White is multiplied with the colours of the vertices.
   result.colour = colours.of_vertices.empty() ? colour_of_surface(colours, surface) : white;
   return result;
@@ -89,8 +90,8 @@ json material_of(const patch& one) {
     {"baseColorFactor", {light_of(c[0]), light_of(c[1]), light_of(c[2]), 1.0}},
     {"metallicFactor", 0.0},
     {"roughnessFactor", 0.7}};
-  if (!one.extras.is_null())
-    result["extras"] = one.extras;
+  if (one.surface)
+    result["extras"] = {{"surface", *one.surface}};
   return result;
 }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <sstream>
 
 #include "tests/cli/program.hpp"
@@ -86,6 +88,50 @@ TEST(Family, ARowThatFailsStopsNobodyAndIsToldByItsStep) {
   }
   EXPECT_LT(html.find("Parts that failed"), html.find("Parts that passed"));
   EXPECT_THAT(html, HasSubstr("edit: resize_bore 1, 2"));
+}
+
+/// The whole way: each customer's bore, in the STEP file that goes to the shop.
+TEST(Family, PartsFromCadGoBackIntoCad) {
+  if (!std::filesystem::exists(TEDIT_BIN "/tedit-cad-mesher"))
+    GTEST_SKIP() << "this build has no OpenCASCADE";
+  const json recipe{
+    {"name", "Blocks"},
+    {"steps",
+     {{{"import", {{"mesh", TEDIT_TEST_DATA "/cad/inch_block.stp"}, {"size", "{{size}}"}}}},
+      {{"edit",
+        {{"operation", "resize_bore"},
+         {"surfaces", {8}},
+         {"parameters", {{"diameter_mm", "{{bore}}"}}}}}},
+      {{"export", {{"step", "{{name}}.step"}, {"stl", "{{name}}.stl"}}}}}}};
+  const auto out = fresh_folder("cad");
+  const auto result =
+    run_table(recipe, "name,size,bore\nA,coarse,8\nB,medium,10\nC,coarse,99\n", "--jobs 2" + out);
+
+  EXPECT_EQ(result.status, 1) << result.out;
+  const auto rows = result.parsed()["rows"];
+  EXPECT_EQ(rows[0]["status"], "passed") << rows[0];
+  EXPECT_EQ(rows[1]["status"], "passed") << rows[1];
+  EXPECT_EQ(rows[2]["status"], "failed");
+  EXPECT_FALSE(std::filesystem::exists(scratch("cad") / "C.step"));
+  for (const auto& [name, bore] : {std::pair("A", 8.0), std::pair("B", 10.0)}) {
+    const auto file = (scratch("cad") / name).string() + ".step";
+    const auto again = run("import --json " + file).parsed();
+    // 1 x 2 x 3 inches less a blind hole of half an inch.
+    const double volume = 6 * std::pow(25.4, 3) - std::numbers::pi / 4 * bore * bore * 12.7;
+    EXPECT_NEAR(again["cad_volume_m3"].get<double>(), 1e-9 * volume, 1e-9 * 0.01) << name;
+  }
+  for (const auto& left : std::filesystem::directory_iterator(scratch("cad")))
+    EXPECT_NE(left.path().extension(), ".tedit") << left.path();
+}
+
+TEST(Family, AStepFileOfAPartThatCameFromAMeshIsRefused) {
+  auto recipe = plate_recipe();
+  recipe["steps"] = {recipe["steps"][0], {{"export", {{"step", "plate.step"}}}}};
+  std::ofstream(scratch("recipe.json")) << recipe;
+  const auto refused = run("run --json " + scratch("recipe.json").string() + fresh_folder("none"));
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.out, HasSubstr("has no CAD model"));
+  EXPECT_THAT(refused.out, HasSubstr("import step of a CAD file"));
 }
 
 TEST(Family, ResultsAreTheSameHoweverManyRowsRunAtOnce) {

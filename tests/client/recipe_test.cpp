@@ -55,6 +55,9 @@ edit_request erosion() {
 TEST(RecipeReader, StepsThatWorkOnThePart) {
   EXPECT_EQ(step(R"({"import": {"mesh": "a.msh", "length_unit": "m"}})"),
             recipe_step(import_step{"/parts/a.msh", "m"}));
+  EXPECT_EQ(
+    step(R"({"import": {"mesh": "a.stp", "size": "coarse", "local_sizes_mm": {"9": 0.5}}})"),
+    recipe_step(import_step{"/parts/a.stp", "mm", "coarse", {{"9", 0.5}}}));
   EXPECT_EQ(step(R"({"remove_load_case": "braking"})"),
             recipe_step(remove_load_case_step{"braking"}));
   EXPECT_EQ(step(R"({"edit": {"operation": "erode", "surfaces": [1, -2],
@@ -201,6 +204,8 @@ TEST(RecipeReader, WhatIsUnknownIsNamedWithItsStep) {
     {R"({"load_case": {"name": "a", "lods": []}})", "lods"},
     {R"({"load_case": {"file": ")" TEDIT_EXAMPLES R"(/ctc01_plate/load_case.json", "name": "a"}})",
      "step 2 (load_case) has an unknown field \"name\""},
+    {R"({"import": {"mesh": "a.stp", "size": "finest"}})",
+     "\"size\" must be one of coarse, medium, fine"},
     {R"({"wait": "preview"})", "step 2 (wait) must be \"ready\" or \"final\""}};
   for (const auto& [json, words] : cases)
     EXPECT_THAT(step_refusal(json), HasSubstr(words)) << json;
@@ -217,6 +222,8 @@ TEST(RecipeReader, AnotherTypeIsAnErrorAndNotNothing) {
     {R"({"edit": {"operation": "erode", "parameters": {"a": [[[1]]]}}})", "parameter \"a\""},
     {R"({"edit": {"operation": "erode", "parameters": {"a": [1e300]}}})", "parameter \"a\""},
     {R"({"edit": {"operation": "erode", "parameters": {"a": null}}})", "a list, or"},
+    {R"({"import": {"mesh": "a.stp", "local_sizes_mm": [1]}})", "must be {\"name\": number"},
+    {R"({"import": {"mesh": "a.stp", "local_sizes_mm": {"9": 0}}})", "\"9\" is 0"},
     {R"({"edit": {"operation": "erode", "keep_traction": 1}})", "must be true or false"},
     {R"({"go_to": -1})", "step 2 (go_to): \"go_to\" must be the number of a version"},
     {R"({"go_to": 4294967296})", "must be the number of a version"},
@@ -382,7 +389,10 @@ solve_step any_solve() {
 recipe_step any_step() {
   switch (*rc::gen::inRange(0, 12)) {
     case 0:
-      return import_step{"/" + *any_word(), *any_word()};
+      return import_step{"/" + *any_word(),
+                         *any_word(),
+                         *rc::gen::element<std::string>("", "coarse", "medium", "fine"),
+                         {{*any_word(), *rc::gen::element(1e-3, 0.5, 1e6)}}};
     case 1:
       return load_case_step{any_loads()};
     case 2:

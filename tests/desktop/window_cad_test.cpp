@@ -156,7 +156,7 @@ TEST_F(CadFiles, AMeshOfThisComputerCanBeCancelled) {
   if (!can_read())
     GTEST_SKIP() << "this build reads no CAD files";
 
-  part().files().import_cad(TEDIT_TEST_DATA "/cad/as1_assembly.stp", {}, "fine");
+  part().files().import_cad({TEDIT_TEST_DATA "/cad/as1_assembly.stp", {}, "mm", "fine", {}});
   ASSERT_TRUE(wait([&] { return part().foreground().current().has_value(); }));
   part().foreground().cancel();
 

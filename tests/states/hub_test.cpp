@@ -172,6 +172,17 @@ TEST_F(HubWithImporter, TheNameIsHeldWhileAPartIsMeshed) {
   EXPECT_EQ(next.value().name, "bracket-2");
 }
 
+TEST_F(HubWithImporter, WithoutANameItIsATemporaryDocument) {
+  const auto made = import("");
+  end_import([](auto& promise) { promise.deliver(part_document{document(), {}}); });
+  ASSERT_TRUE(made.is_success());
+  const auto name = made.value().name;
+  EXPECT_TRUE(is_temporary(name));
+  EXPECT_TRUE(open(name).is_success()) << "who asked for it opens it";
+  pass(seconds(70));
+  EXPECT_FALSE(is_there(name)) << "nobody came";
+}
+
 TEST_F(HubWithImporter, ARefusedPartGivesItsNameBack) {
   const auto first = import("bracket");
   end_import([](auto& promise) {

@@ -171,7 +171,7 @@ void documents_tool::open_file(const QString& mesh, const QStringList& load_case
     return recipes_.run(mesh);
   connection_.when_connected([=, this] {
     if (is_cad_file(mesh) || is_surface_file(mesh))
-      in_.part.files().import_cad(mesh, load_cases, "medium");
+      in_.part.files().import_cad({mesh, load_cases, "mm", "medium", {}});
     else
       in_.part.files().import(mesh, load_cases);
   });
@@ -368,7 +368,7 @@ void documents_tool::ask_size(const QString& cad_file, const QStringList& load_c
       in_.log.write(tr("opening %1").arg(cad_file));
       connection_.when_connected(
         [=, this, in_unit = unit ? unit->currentData().toString() : QString("mm")] {
-          in_.part.files().import_cad(cad_file, load_cases, size, in_unit);
+          in_.part.files().import_cad({cad_file, load_cases, in_unit, size, {}});
         });
     });
   }

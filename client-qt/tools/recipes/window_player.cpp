@@ -13,6 +13,7 @@
 #include "client-qt/tools/results/field_panel.hpp"
 #include "client-qt/tools/toolbox.hpp"
 #include "client-qt/view/viewport.hpp"
+#include "client/part_files.hpp"
 
 namespace tedit::desktop {
 
@@ -175,8 +176,13 @@ expected<void> window_player::perform(const client::recipe_step& step) {
 expected<void> window_player::carry_out(const client::import_step& s) {
   imports_ = true;
   tools_.connection.when_connected([this, s] {
-    in_.part.files().import(QString::fromStdString(s.mesh.string()), {},
-                            QString::fromStdString(s.length_unit));
+    const auto file = QString::fromStdString(s.mesh.string());
+    const auto unit = QString::fromStdString(s.length_unit);
+    const auto size = s.size.empty() ? QString("medium") : QString::fromStdString(s.size);
+    if (client::is_cad_file(s.mesh) || client::is_surface_file(s.mesh))
+      in_.part.files().import_cad({file, {}, unit, size, s.local_sizes_mm});
+    else
+      in_.part.files().import(file, {}, unit);
   });
   return {};
 }

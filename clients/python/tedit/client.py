@@ -143,7 +143,7 @@ class Client:
     def import_part(
         self,
         file: FileLike,
-        name: str,
+        name: str = "",
         *,
         fineness: str = "medium",
         length_unit: str = "",
@@ -153,7 +153,7 @@ class Client:
         cancel: CancelToken | None = None,
     ) -> ImportedPart:
         """Meshes a CAD file (STEP, IGES, BREP) or a closed surface (STL, OBJ, PLY, 3MF) on the server and makes it a
-        document. `fineness` is "coarse", "medium" or "fine"; `local_sizes` has the longest edge, m, on surfaces of a CAD
+        document; without a name a temporary one. `fineness` is "coarse", "medium" or "fine"; `local_sizes` has the longest edge, m, on surfaces of a CAD
         file by their number or name; `length_unit` is that of an STL, OBJ or PLY: "mm", "cm", "m", "in"."""
         data, file_name = contents(file)
         sizes = [library.ImportPart.LocalSize(surface=str(one), edge_length=size) for one, size in (local_sizes or {}).items()]

@@ -150,10 +150,10 @@ export class Client {
   }
 
   /**
-   * Meshes a CAD file (STEP, IGES, BREP) or a closed surface (STL, OBJ, PLY, 3MF) on the server and makes it a document;
-   * tells its name, and what a person should know.
+   * Meshes a CAD file (STEP, IGES, BREP) or a closed surface (STL, OBJ, PLY, 3MF) on the server and makes it a document,
+   * without a name a temporary one; tells its name, and what a person should know.
    */
-  async importPart(file: Uint8Array, name: string, options: ImportOptions = {}): Promise<ImportedPart> {
+  async importPart(file: Uint8Array, name = "", options: ImportOptions = {}): Promise<ImportedPart> {
     const how = {
       name,
       orNextFree: options.orNextFree ?? false,
