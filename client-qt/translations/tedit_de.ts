@@ -9187,6 +9187,58 @@
         <source>surfaces %1, ...</source>
         <translation>Flächen %1, ...</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; is no %2</source>
+        <translation>&quot;%1&quot; ist nicht bekannt als %2</translation>
+    </message>
+    <message>
+        <source>Give a finer size for the whole part</source>
+        <translation>Das ganze Teil feiner vernetzen</translation>
+    </message>
+    <message>
+        <source>Give another name: a document is not written over</source>
+        <translation>Einen anderen Namen angeben: Dokumente werden nicht überschrieben</translation>
+    </message>
+    <message>
+        <source>Give one of %1</source>
+        <translation>Eines davon angeben: %1</translation>
+    </message>
+    <message>
+        <source>Mesh it with &quot;tedit import PART -o PART.tedit&quot; and add that document, or set work.import_jobs in the server&apos;s configuration</source>
+        <translation>Mit „tedit import PART -o PART.tedit“ vernetzen und dieses Dokument hinzufügen, oder work.import_jobs in der Konfiguration des Servers setzen</translation>
+    </message>
+    <message>
+        <source>There must be room in the server&apos;s temporary folder</source>
+        <translation>Im temporären Ordner des Servers muss Platz sein</translation>
+    </message>
+    <message>
+        <source>the server cannot read the document that it made</source>
+        <translation>der Server kann das Dokument nicht lesen, das er angelegt hat</translation>
+    </message>
+    <message>
+        <source>the server cannot write the file that was sent</source>
+        <translation>der Server kann die gesendete Datei nicht schreiben</translation>
+    </message>
+    <message>
+        <source>there are more than %1 local sizes</source>
+        <translation>es sind mehr als %1 örtliche Größen</translation>
+    </message>
+    <message>
+        <source>there are too many local sizes</source>
+        <translation>es sind zu viele örtliche Größen</translation>
+    </message>
+    <message>
+        <source>this server meshes no CAD files</source>
+        <translation>dieser Server vernetzt keine CAD-Dateien</translation>
+    </message>
+    <message>
+        <source>waiting for another import</source>
+        <translation>wartet auf einen anderen Import</translation>
+    </message>
+    <message>
+        <source>writing the document</source>
+        <translation>schreibt das Dokument</translation>
+    </message>
 </context>
 <context>
     <name>server_lists</name>
