@@ -34,6 +34,7 @@ expected<client::connect_options> embedded_server::start(unsigned workers) {
   options.modeling_workers = workers;
   options.optimizer_workers = workers;
   options.solver_workers = workers;
+  options.import_jobs = workers;
   auto started = server::start(options);
   if (!started)
     return fail(started.error());

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <algorithm>
+#include <chrono>
 #include <fstream>
 
 #include "base/attachment.hpp"
+#include "base/child_process.hpp"
 #include "base/text.hpp"
 #include "cli/command.hpp"
 #include "cli/family_result.hpp"
@@ -10,6 +12,10 @@
 namespace tedit::cli {
 
 namespace {
+
+std::filesystem::path pdf_program() {
+  return executable_folder() / "tedit-pdf";
+}
 
 constexpr const char* style = R"(
 body { font-family: sans-serif; color: #20262f; background: #ffffff; margin: 24px; font-size: 14px; }
@@ -80,7 +86,7 @@ std::string picture_html(const family_row& row) {
   const std::string bytes{std::istreambuf_iterator<char>(in), {}};
   if (row.picture.empty() || bytes.empty())
     return "<td class=\"faint\">" + escaped(row.picture_missing) + "</td>";
-  return "<td><img loading=\"lazy\" alt=\"" + escaped(row.name) +
+  return "<td><img width=\"240\" loading=\"lazy\" alt=\"" + escaped(row.name) +
          "\" src=\"data:image/png;base64," + to_base64(bytes) + "\"></td>";
 }
 
@@ -161,6 +167,8 @@ void write_rows(std::ostream& out, const family_result& result, family_status st
 
 }  // namespace
 
+namespace {
+
 expected<void> write_html(const family_result& result, const std::filesystem::path& file) {
   std::ofstream out(file, std::ios::binary);
   out << head_html(result);
@@ -184,6 +192,47 @@ expected<void> write_html(const family_result& result, const std::filesystem::pa
     return fail(ec::io_error, "cannot write the report " + file.string(),
                 "Choose another folder, or make room");
   return {};
+}
+
+bool is_pdf(const std::filesystem::path& file) {
+  return file.extension() == ".pdf";
+}
+
+/// A browser would print the page; this needs none, and no display.
+expected<void> write_pdf(const family_result& result, const std::filesystem::path& file) {
+  const auto page = std::filesystem::path(file.string() + ".html");
+  if (auto written = write_html(result, page); !written)
+    return written;
+  const auto done = run_child({pdf_program().string(), page.string(), file.string()}, {},
+                              {std::chrono::minutes(10), 0}, {});
+  std::error_code ignored;
+  std::filesystem::remove(page, ignored);
+  if (!done)
+    return fail(done.error().code,
+                "the report " + file.string() + " could not be made: " + done.error().message,
+                "Call it .html; a browser prints it as PDF");
+  return {};
+}
+
+}  // namespace
+
+expected<void> check_report_name(const std::filesystem::path& file) {
+  const auto suffix = file.extension();
+  if (suffix != ".html" && suffix != ".htm" && !is_pdf(file))
+    return fail(ec::usage,
+                "a report is an HTML or PDF file, and " + file.string() + " is none by its name",
+                "Call it .html or .pdf");
+  if (is_pdf(file) && !std::filesystem::exists(pdf_program()))
+    return fail(ec::service_unavailable,
+                "the program " + pdf_program().string() +
+                  ", which makes PDF files, is not there: "
+                  "this build has no Qt",
+                "Call the report .html; a browser prints it as PDF");
+  return {};
+}
+
+expected<void> write_report(const family_result& result, const std::filesystem::path& file) {
+  return is_pdf(file) ? write_pdf(result, file) : write_html(result, file);
 }
 
 }  // namespace tedit::cli

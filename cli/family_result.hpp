@@ -71,9 +71,14 @@ struct family_result {
 /// For people: a table, a list of the steps, and why rows failed.
 [[nodiscard]] std::string describe(const family_result& result);
 
-/// One file that needs no other: figures, pictures, rows that failed first. Errors: `io_error`.
-/// Cost: pictures are read one after the other.
-[[nodiscard]] expected<void> write_html(const family_result& result,
-                                        const std::filesystem::path& file);
+/// What is wrong with the name of a report, before hours of work. Errors: `usage`;
+/// `service_unavailable` for a PDF where nothing makes one.
+[[nodiscard]] expected<void> check_report_name(const std::filesystem::path& file);
+
+/// One file that needs no other, HTML or PDF by its name: figures, pictures, rows that failed
+/// first. Errors: `io_error`; those of the program that makes PDF. Cost: pictures are read one
+/// after the other.
+[[nodiscard]] expected<void> write_report(const family_result& result,
+                                          const std::filesystem::path& file);
 
 }  // namespace tedit::cli

@@ -247,9 +247,8 @@ expected<void> check_report(const std::string& file) {
   if (file.empty())
     return {};
   const std::filesystem::path path(file);
-  if (path.extension() != ".html" && path.extension() != ".htm")
-    return fail(ec::usage, "a report is an HTML file, and " + file + " is none by its name",
-                "Call it .html; a browser prints it as PDF");
+  if (auto ok = check_report_name(path); !ok)
+    return ok;
   std::error_code ignored;
   if (path.has_parent_path())
     std::filesystem::create_directories(path.parent_path(), ignored);
@@ -302,7 +301,7 @@ expected<client::recipe_family> read_family(const family_options& options,
 /// Status and words at the end. Errors: of the report's file.
 int finish(family_result& result, const family_options& options, const session& s) {
   if (!options.report.empty()) {
-    if (const auto written = write_html(result, options.report); !written)
+    if (const auto written = write_report(result, options.report); !written)
       return print_error(s, written.error());
     result.report = options.report;
   }

@@ -148,7 +148,7 @@ void add_table_options(CLI::App& command, run_options& options) {
       "Rows of the table at once; else as many as there are cores, or workers of --server")
     ->check(CLI::Range(1U, most_family_jobs));
   command.add_option("--report", options.report,
-                     "Report of all rows with pictures (one HTML file; a browser prints it)");
+                     "Report of all rows with pictures: one file, .html or .pdf");
   command.footer(
     "example:\n"
     "  tedit run plate.json --table customers.csv --report customers.html --out parts\n"

@@ -282,9 +282,34 @@ TEST(Family, OptionsOfATableNeedOne) {
   const auto recipe = scratch("recipe.json").string();
   EXPECT_EQ(run("run --json " + recipe + " --jobs 2").status, 2);
   EXPECT_EQ(run("run --json " + recipe + " --table /nowhere.csv").status, 65);
-  const auto pdf = run_table(plate_recipe(), four_customers, "--report a.pdf");
-  EXPECT_EQ(pdf.status, 2);
-  EXPECT_THAT(pdf.parsed()["error"]["remedy"], HasSubstr(".html"));
+  const auto odd = run_table(plate_recipe(), four_customers, "--report a.odt");
+  EXPECT_EQ(odd.status, 2);
+  EXPECT_THAT(odd.parsed()["error"]["remedy"], HasSubstr(".html"));
+}
+
+/// What is in the page is in the PDF, with as many pictures, and nothing else is left in the
+/// folder.
+TEST(Family, TheReportMayBeAPdf) {
+  if (!std::filesystem::exists(TEDIT_BIN "/tedit-pdf"))
+    GTEST_SKIP() << "this build has no Qt";
+  std::filesystem::remove_all(scratch("reports"));
+  std::filesystem::create_directories(scratch("reports"));
+  const auto file = scratch("reports") / "customers.pdf";
+  const auto result =
+    run_table(plate_recipe(), four_customers, "--report " + file.string() + fresh_folder("out"));
+
+  EXPECT_EQ(result.status, 1) << result.out;
+  const auto text = value(run_child({"/usr/bin/pdftotext", "-layout", file.string(), "-"}, {},
+                                    {std::chrono::seconds(60), 0}, {}));
+  for (const auto* words : {"Plates", "Parts that failed", "edit: resize_bore 1, 2",
+                            "Parts that passed", "Smallest safety factor"})
+    EXPECT_THAT(text, HasSubstr(words));
+  if (std::filesystem::exists(TEDIT_BIN "/tedit-render")) {
+    const auto pictures = value(run_child({"/usr/bin/pdfimages", "-list", file.string()}, {},
+                                          {std::chrono::seconds(60), 0}, {}));
+    EXPECT_GE(std::ranges::count(pictures, '\n'), 2 + 3) << pictures;
+  }
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(scratch("reports")), {}), 1);
 }
 
 }  // namespace
