@@ -4,6 +4,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "base/child_process.hpp"
 #include "tests/cli/program.hpp"
 
 namespace tedit::test {
@@ -299,14 +300,16 @@ TEST(Family, TheReportMayBeAPdf) {
     run_table(plate_recipe(), four_customers, "--report " + file.string() + fresh_folder("out"));
 
   EXPECT_EQ(result.status, 1) << result.out;
-  const auto text = value(run_child({"/usr/bin/pdftotext", "-layout", file.string(), "-"}, {},
-                                    {std::chrono::seconds(60), 0}, {}));
+  const auto said = [](const std::vector<std::string>& command) {
+    const auto bytes = value(run_child(command, {}, {std::chrono::seconds(60), 0}, {}));
+    return std::string(bytes.begin(), bytes.end());
+  };
+  const auto text = said({"/usr/bin/pdftotext", "-layout", file.string(), "-"});
   for (const auto* words : {"Plates", "Parts that failed", "edit: resize_bore 1, 2",
                             "Parts that passed", "Smallest safety factor"})
     EXPECT_THAT(text, HasSubstr(words));
   if (std::filesystem::exists(TEDIT_BIN "/tedit-render")) {
-    const auto pictures = value(run_child({"/usr/bin/pdfimages", "-list", file.string()}, {},
-                                          {std::chrono::seconds(60), 0}, {}));
+    const auto pictures = said({"/usr/bin/pdfimages", "-list", file.string()});
     EXPECT_GE(std::ranges::count(pictures, '\n'), 2 + 3) << pictures;
   }
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(scratch("reports")), {}), 1);
