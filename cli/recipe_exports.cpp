@@ -70,7 +70,7 @@ expected<void> recipe_runner::write(const std::string& format, const std::filesy
 /// Edits that the server has not made on the model yet are made now.
 expected<void> recipe_runner::write_step(const std::filesystem::path& path) {
   const auto copy = std::filesystem::path(path.string() + ".tedit");
-  if (auto ok = write(std::string(client::document_format), copy); !ok)
+  if (auto ok = write(std::string(document_format), copy); !ok)
     return ok;
   const auto done =
     export_step_file({copy.string(), path.string(), head_.number}, make_execution(session_));

@@ -8,7 +8,7 @@
 #include "actors/cad/cad_rows.hpp"
 #include "actors/session/change_log.hpp"
 #include "actors/store/document.hpp"
-#include "actors/store/store.hpp"
+#include "actors/store/loading.hpp"
 #include "base/text.hpp"
 
 namespace tedit::actors {

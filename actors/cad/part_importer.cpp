@@ -110,12 +110,12 @@ void start(importer_pointer self, part_importer_state::task task) {
   job_task work{[slot, order = task.order, limit = state.limit] {
     *slot = guarded<part_document>([&] { return carry_out(*order, limit); });
   }};
-  const auto finish = [=]() mutable {
+  const auto finish = [=] {
     self->state.running.erase(token);
     self->state.free_threads.push_back(thread);
     begin_tasks(self);
   };
-  self->request(thread, std::chrono::hours(24), std::move(work))
+  self->request(thread, answer_limit, std::move(work))
     .then(
       [=](acknowledged) mutable {
         if ((*slot)->has_value())
