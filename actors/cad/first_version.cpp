@@ -9,6 +9,7 @@
 #include "actors/session/change_log.hpp"
 #include "actors/store/document.hpp"
 #include "actors/store/loading.hpp"
+#include "actors/store/store.hpp"
 #include "base/text.hpp"
 
 namespace tedit::actors {
