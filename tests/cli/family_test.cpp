@@ -6,6 +6,7 @@
 
 #include "base/child_process.hpp"
 #include "tests/cli/program.hpp"
+#include "tests/support/scratch.hpp"
 
 namespace tedit::test {
 namespace {

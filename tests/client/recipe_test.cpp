@@ -352,7 +352,8 @@ TEST(RecipeReader, EachFormatHasItsKey) {
     ASSERT_TRUE(read.has_value()) << name;
     EXPECT_EQ(read->steps.front(), recipe_step(export_step{{{name, "a"}}, {}, {}, {}}));
   }
-  EXPECT_FALSE(recipe_from_json(R"([{"export": {"step": "a"}}])").has_value());
+  EXPECT_TRUE(recipe_from_json(R"([{"export": {"step": "a.step"}}])").has_value());
+  EXPECT_FALSE(recipe_from_json(R"([{"export": {"stpe": "a.step"}}])").has_value());
 }
 
 export_step any_export() {

@@ -262,7 +262,7 @@ TEST_F(CadOnAServer, AnImportThatIsCancelledLeavesNothing) {
   auto user = host.connect();
   execution run;
   run.progress = [stop = run.cancel](double, std::string_view stage) {
-    if (stage.find("mesh") != std::string_view::npos)
+    if (stage.find("reading") != std::string_view::npos)
       stop.cancel();
   };
   const auto ended =

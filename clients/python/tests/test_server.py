@@ -100,7 +100,7 @@ class FromCad(unittest.TestCase):
         part = client.open("block")
         self.assertEqual(part.head.cad.status, session.CadState.SAME)
         self.assertEqual(part.head.made_by, "tedit-python")
-        self.assertTrue(any("mesh" in stage for stage in stages), stages)
+        self.assertTrue(any("reading" in stage for stage in stages), stages)
         finer = client.import_part(step, "block", fineness="coarse", local_sizes={9: 5e-4}, or_next_free=True)
         self.assertEqual(finer.document, "block-2")
         self.assertGreater(client.open("block-2").head.tets, part.head.tets)
