@@ -177,6 +177,7 @@ struct export_request {
   std::string version;  ///< Hexadecimal; empty: the head.
   std::string format;
   std::string length_unit;
+  std::string load_case = {};  ///< Of a deck that another solver runs; empty: the mesh alone.
 };
 
 struct history_request {

@@ -275,12 +275,14 @@ struct export_order {
   wire_value<solve_outcome> outcome;  ///< Of the fields; none without them.
   std::string format;                 ///< A name in mesh/formats.hpp.
   std::string length_unit;
+  /// The load case of a deck that another solver runs; none of a mesh alone.
+  wire_value<load_case_list> loads = wire_value<load_case_list>(load_case_list{});
 };
 
 template <class Inspector>
 typename Inspector::result_type inspect(Inspector& f, export_order& x) {
   return f(caf::meta::type_name("export_order"), x.base.source, x.base.listener, x.version,
-           x.fields, x.outcome, x.format, x.length_unit);
+           x.fields, x.outcome, x.format, x.length_unit, x.loads);
 }
 
 /// A file's bytes, cut into pages.

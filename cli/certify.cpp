@@ -13,11 +13,11 @@
 
 #include "base/hash.hpp"
 #include "cli/command.hpp"
-#include "cli/deck_file.hpp"
 #include "cli/field_file.hpp"
 #include "cli/load_case_files.hpp"
 #include "cli/part_document.hpp"
 #include "cli/solver_options.hpp"
+#include "decks/deck_file.hpp"
 #include "mesh/formats.hpp"
 #include "mesh/io/file.hpp"
 #include "mesh/io/import.hpp"
@@ -155,10 +155,10 @@ expected<std::vector<checked_case>> check_cases(const certify_options& options,
     const auto& loads = part.load_cases[c];
     checked_case one{loads.name, stem_of(loads.name, taken)};
     const auto job =
-      make_deck_job(*part.mesh, set->problem, loads,
-                    loads.name + " on " + fs::path(options.part).filename().string());
+      decks::make_deck_job(*part.mesh, set->problem, loads,
+                           loads.name + " on " + fs::path(options.part).filename().string());
     if (const auto deck =
-          write_calculix_file(folder / (one.stem + ".inp"), job, fem::calculix_solver::spooles);
+          decks::write_calculix(folder / (one.stem + ".inp"), job, fem::calculix_solver::spooles);
         !deck)
       return fail(deck.error());
     notice(s, "CalculiX solves \"" + loads.name + "\"");

@@ -2,21 +2,16 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <ostream>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "cli/command.hpp"
-#include "cli/deck_file.hpp"
 #include "cli/export_step.hpp"
 #include "cli/part_document.hpp"
-#include "fem/nastran_deck.hpp"
+#include "decks/deck_file.hpp"
 #include "mesh/formats.hpp"
-#include "mesh/io/bdf_sets.hpp"
-#include "mesh/io/file.hpp"
 #include "mesh/io/import.hpp"
-#include "mesh/io/marked_cards.hpp"
 #include "protocol/convert.hpp"
 
 namespace tedit::cli {
@@ -35,13 +30,9 @@ struct export_options {
   std::optional<std::uint32_t> version;
 };
 
-/// What a deck holds besides nodes and elements.
 struct export_counts {
   const char* format = "calculix";
-  std::size_t held_nodes = 0;
-  std::size_t boundaries = 0;
-  std::size_t equations = 0;
-  std::size_t loads = 0;
+  decks::deck_counts of;
   std::string loads_are;
   std::string command;  ///< How its solver is called; empty where that depends on whose it is.
 };
@@ -58,10 +49,10 @@ nlohmann::ordered_json to_json(const export_options& options, const fem::problem
           {"element_order", p.element_order},
           {"nodes", p.node_count()},
           {"elements", p.element_count()},
-          {"held_nodes", counts.held_nodes},
-          {"boundaries", counts.boundaries},
-          {"equations", counts.equations},
-          {"loads", counts.loads},
+          {"held_nodes", counts.of.held_nodes},
+          {"boundaries", counts.of.boundaries},
+          {"equations", counts.of.equations},
+          {"loads", counts.of.loads},
           {"command", counts.command}};
 }
 
@@ -72,56 +63,29 @@ std::string describe(const export_options& options, const fem::problem& p,
                                              : (calculix ? " C3D4" : " CTETRA of 4 nodes");
   return options.output + "\n  elements          " + std::to_string(p.element_count()) + element +
          ", " + std::to_string(p.node_count()) + " nodes\n  supports          " +
-         std::to_string(counts.held_nodes) + " nodes (" + std::to_string(counts.boundaries) +
-         " components, " + std::to_string(counts.equations) + " equations)\n  loads             " +
-         std::to_string(counts.loads) + " " + counts.loads_are + "\n" +
+         std::to_string(counts.of.held_nodes) + " nodes (" + std::to_string(counts.of.boundaries) +
+         " components, " + std::to_string(counts.of.equations) +
+         " equations)\n  loads             " + std::to_string(counts.of.loads) + " " +
+         counts.loads_are + "\n" +
          (calculix ? "  run it with       " + counts.command + "\n" : std::string());
 }
 
-expected<export_counts> write_inp(const export_options& options, const deck_job& job) {
+expected<export_counts> write_inp(const export_options& options, const decks::deck_job& job) {
   const auto counts =
-    write_calculix_file(options.output, job,
-                        options.solver == "cholesky" ? fem::calculix_solver::iterative_cholesky
-                                                     : fem::calculix_solver::spooles);
+    decks::write_calculix(options.output, job,
+                          options.solver == "cholesky" ? fem::calculix_solver::iterative_cholesky
+                                                       : fem::calculix_solver::spooles);
   if (!counts)
     return fail(counts.error());
-  return export_counts{"calculix",    counts->held_nodes, counts->boundaries,     counts->equations,
-                       counts->loads, "nodal components", call_of(options.output)};
+  return export_counts{"calculix", *counts, "nodal components", call_of(options.output)};
 }
 
 /// The same for Nastran.
-expected<export_counts> write_bdf(const export_options& options, const deck_job& job) {
-  std::vector<std::size_t> node_of(job.mesh.vertex_slots());
-  for (std::size_t n = 0; n < job.problem.corner_count; ++n)
-    if (job.problem.node_vertices[n] != no_id)
-      node_of[job.problem.node_vertices[n]] = n + 1;
-  fem::nastran_settings settings;
-  settings.title = job.title;
-  settings.property = [&](tet_id t) { return bdf_property(job.mesh, job.mesh.region_of(t)); };
-  settings.head = [&](std::ostream& out) { write_bdf_names(out, job.mesh, "m"); };
-  settings.sets = [&](std::ostream& out) {
-    write_bdf_surfaces(
-      out, job.mesh, [&](tet_id t) { return job.element_of(t); },
-      [&](vertex_id v) { return node_of[v]; });
-  };
-  settings.around_cards = [&](std::ostream& out, const std::string& cards) {
-    write_marked_cards(out, "$ ", cards, job.load_case);
-  };
-  expected<fem::nastran_counts> counts;
-  const auto written = write_file(options.output, [&](std::ostream& out) {
-    counts = fem::write_nastran_deck(job.problem, settings, out);
-  });
-  if (!written)
-    return fail(written.error());
+expected<export_counts> write_bdf(const export_options& options, const decks::deck_job& job) {
+  const auto counts = decks::write_nastran(options.output, job);
   if (!counts)
     return fail(counts.error());
-  return export_counts{"nastran",
-                       counts->held_nodes,
-                       counts->components,
-                       counts->equations,
-                       counts->loads,
-                       "nodal forces",
-                       ""};
+  return export_counts{"nastran", *counts, "nodal forces", ""};
 }
 
 /// The deck's format by its suffix: one that holds loads.
@@ -186,8 +150,8 @@ int run_export(const export_options& options, session& s) {
   if (!problem)
     return print_error(s, problem.error());
   const auto job =
-    make_deck_job(*part->mesh, *problem, part->loads,
-                  part->loads.name + " on " + fs::path(options.mesh).filename().string());
+    decks::make_deck_job(*part->mesh, *problem, part->loads,
+                         part->loads.name + " on " + fs::path(options.mesh).filename().string());
   const auto counts =
     (*format)->name == formats::inp::about.name ? write_inp(options, job) : write_bdf(options, job);
   if (!counts)

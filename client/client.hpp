@@ -211,11 +211,14 @@ public:
 
   /// A version as a file's bytes; `format` is the name of one that the server writes, `version_id`
   /// empty: the head; `unit` as for import. With `document_format` the whole document, both must be
-  /// empty then. Errors: also `invalid_argument` for the format, naming those that there are.
+  /// empty then. `load_case`: of `inp` and `bdf`, the deck of this load case of the version, ready
+  /// for CalculiX or Nastran. Errors: also `invalid_argument` for the format, naming those that
+  /// there are, `not_found` for the load case.
   [[nodiscard]] expected<std::vector<char>> export_file(const std::string& format,
                                                         const std::string& version_id,
                                                         const std::string& unit,
-                                                        const execution& run);
+                                                        const execution& run,
+                                                        const std::string& load_case = {});
 
   /// Surfaces of the head that belong together.
   [[nodiscard]] expected<std::vector<found_feature>> select(const selection_query& query,

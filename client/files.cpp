@@ -177,7 +177,8 @@ std::string client::server_program() const {
 
 expected<std::vector<char>> client::export_file(const std::string& format,
                                                 const std::string& version_id,
-                                                const std::string& unit, const execution& run) {
+                                                const std::string& unit, const execution& run,
+                                                const std::string& load_case) {
   auto document = impl_->open_document();
   if (!document)
     return fail(std::move(document.error()));
@@ -187,6 +188,7 @@ expected<std::vector<char>> client::export_file(const std::string& format,
   wanted->set_version_id(version_id);
   wanted->set_format(format);
   wanted->set_length_unit(unit);
+  wanted->set_load_case(load_case);
   auto got = impl_->ask(std::move(request), body::kFileReady, run);
   if (!got)
     return fail(std::move(got.error()));

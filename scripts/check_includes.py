@@ -71,12 +71,13 @@ ROOMS = {
     "scan/reader/exact_checks.cpp": (("scan/reader", "scan", "cad", "mesh", "base"), ("CGAL/",)),
     "scan/mesher": (("scan", "cad", "cad/mesher", "mesh", "base"), ("gmsh.h",)),
     "protocol": (WIRE, ("tedit/v1/", "google/")),
+    "decks": (("protocol", "fem", "mesh/io", "mesh", "base"), ()),
     "client": (("tls", "certs", "protocol", *WIRE), ("boost/", "tedit/v1/", "google/")),
     "client/recipes": (("client", "protocol", *WIRE), ("nlohmann/",)),
     "actors/links": (("certs", "base/logging", "base"), ("caf/", "boost/", "openssl/")),
     "actors/cad": (("actors", "cad", "scan", "protocol", "edit", "ops/sdk", "mesh", "base"), ("caf/", "nlohmann/")),
     "actors": (
-        ("actors/cad", "actors/links", "base/logging", "sandbox", "protocol", "compare", "edit", "fem", "fem/native", "ops/loader", "ops/services", "ops/sdk", "mesh/io", "mesh", "base"),
+        ("actors/cad", "actors/links", "base/logging", "sandbox", "decks", "protocol", "compare", "edit", "fem", "fem/native", "ops/loader", "ops/services", "ops/sdk", "mesh/io", "mesh", "base"),
         ("caf/", "sqlite3.h", "zstd.h", "nlohmann/"),
     ),
     "actors/node/server.cpp": (("base/logging", "actors/cad", "actors/gateway", "actors", "sandbox", "base"), ("caf/",)),
@@ -86,7 +87,7 @@ ROOMS = {
     ),
     "node": (("actors", "fem", *WIRE), ("caf/",)),
     "cli": (
-        ("base/logging", "cad", "scan", "certs", "tls", "sandbox", "actors/cad", "actors/links", "actors", "client", "protocol", "compare", "edit", "verification", "fem", "ops/conformance",
+        ("base/logging", "cad", "scan", "certs", "tls", "sandbox", "actors/cad", "actors/links", "actors", "client", "decks", "protocol", "compare", "edit", "verification", "fem", "ops/conformance",
          "ops/loader", "ops/services", "ops/sdk", "mesh/io", "mesh", "base", "actors/gateway/users.hpp"),
         ("CLI/", "nlohmann/", "fmt/", "toml++/"),
     ),

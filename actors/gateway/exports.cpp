@@ -34,10 +34,17 @@ void export_file(client_state& client, std::uint64_t id, const v1::ExportFile& b
     known.push_back(document_format);
     return client.refuse(id, no_such_format(cut_text(body.format(), longest_name), known));
   }
-  if (whole && !(body.version_id().empty() && body.length_unit().empty()))
+  if (whole &&
+      !(body.version_id().empty() && body.length_unit().empty() && body.load_case().empty()))
     return client.refuse(id, {ec::invalid_argument,
                               "a document is written with all its versions, as they are",
-                              "Leave version_id and length_unit out",
+                              "Leave version_id, length_unit and load_case out",
+                              {}});
+  if (!body.load_case().empty() && !(format && format->keeps.loads))
+    return client.refuse(id, {ec::invalid_argument,
+                              "a file of the format " + body.format() + " holds no load case",
+                              "Ask for inp (CalculiX, Abaqus) or bdf (Nastran), or name no load "
+                              "case",
                               {}});
   export_request request;
   request.ticket = client.begin(id, document->session);
@@ -45,6 +52,7 @@ void export_file(client_state& client, std::uint64_t id, const v1::ExportFile& b
   request.version = body.version_id();
   request.format = body.format();
   request.length_unit = body.length_unit().empty() ? "mm" : body.length_unit();
+  request.load_case = body.load_case();
   client.exports.push_back({id, document->session, std::move(request)});
   client.start_exports();
 }

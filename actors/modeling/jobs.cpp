@@ -3,6 +3,7 @@
 #include "actors/modeling/modeling.hpp"
 #include "base/logging/logging.hpp"
 #include "base/stopwatch.hpp"
+#include "decks/deck_file.hpp"
 #include "edit/make_edit.hpp"
 #include "mesh/features/select.hpp"
 #include "mesh/io/formats.hpp"
@@ -110,8 +111,16 @@ expected<job_output<export_result>> write_mesh(const export_order& order, const 
   const auto terms = terms_of(order, in.pages);
   if (!terms)
     return fail(terms.error());
+  const auto loads = order.loads.get();
+  if (!loads)
+    return fail(loads.error());
   std::string bytes;
-  if (const auto written = write_as(order.format, &bytes, *in.mesh, *terms); !written)
+  const auto written =
+    (*loads)->empty()
+      ? write_as(order.format, &bytes, *in.mesh, *terms)
+      : decks::write_deck(order.format, &bytes, *in.mesh, (*loads)->front(),
+                          (*loads)->front().name + " on version " + to_hex(order.version.id));
+  if (!written)
     return fail(written.error());
   job_output<export_result> output;
   output.result.size = bytes.size();

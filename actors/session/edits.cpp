@@ -389,9 +389,17 @@ caf::result<exported> session_state::write_file(const export_request& request) {
 void session_state::write_version(
   const export_request& request, const graph_node& node, const version_ptr& mesh,
   const std::shared_ptr<caf::typed_response_promise<exported>>& promise) {
+  load_case_list loads;
+  if (!request.load_case.empty()) {
+    auto chosen = cases_named(node, {request.load_case});
+    if (!chosen)
+      return promise->deliver(to_caf(chosen.error()));
+    loads = std::move(*chosen);
+  }
   const auto job = new_job(request.ticket, request.client);
-  export_order order{base_order(request.client), make_ref(mesh), {}, {}, request.format,
-                     request.length_unit};
+  export_order order{
+    base_order(request.client),  make_ref(mesh), {}, {}, request.format, request.length_unit,
+    wire_value(std::move(loads))};
   const auto file_name =
     parts.document + "_v" + std::to_string(node.info.number) + "." + request.format;
   const auto* result = result_of(node);

@@ -419,4 +419,8 @@ void session_state::broadcast(const Event& event, const std::set<caf::actor>& an
       caf::anon_send(subscriber, event);
 }
 
+/// The load cases of a version by their names. Errors: `not_found`.
+[[nodiscard]] expected<load_case_list> cases_named(const graph_node& node,
+                                                   const std::vector<std::string>& names);
+
 }  // namespace tedit::actors

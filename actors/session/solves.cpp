@@ -74,6 +74,19 @@ void session_state::follow_head() {
     start_solve(*followed, std::nullopt);
 }
 
+expected<load_case_list> cases_named(const graph_node& node,
+                                     const std::vector<std::string>& names) {
+  load_case_list chosen;
+  for (const auto& wanted : names) {
+    const auto found = std::ranges::find(*node.load_cases, wanted, &fem::load_case::name);
+    if (found == node.load_cases->end())
+      return fail(ec::not_found, "there is no load case \"" + wanted + "\"",
+                  "Set the load case first");
+    chosen.push_back(*found);
+  }
+  return chosen;
+}
+
 expected<load_case_list> session_state::chosen_cases(const solve_request& request,
                                                      std::vector<std::string>& names) const {
   const auto* head = graph.head();
@@ -87,15 +100,7 @@ expected<load_case_list> session_state::chosen_cases(const solve_request& reques
     names = known;
   else if (names.empty())
     names = {known.front()};
-  load_case_list chosen;
-  for (const auto& wanted : names) {
-    const auto found = std::ranges::find(*head->load_cases, wanted, &fem::load_case::name);
-    if (found == head->load_cases->end())
-      return fail(ec::not_found, "there is no load case \"" + wanted + "\"",
-                  "Set the load case first");
-    chosen.push_back(*found);
-  }
-  return chosen;
+  return cases_named(*head, names);
 }
 
 void session_state::start_solve(const solve_request& request,

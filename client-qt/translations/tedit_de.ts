@@ -3008,10 +3008,6 @@
         <translation>Erlaubt sind hier 0 bis %1 mm, ein Hundertstel der Diagonale des Bauteils</translation>
     </message>
     <message>
-        <source>Leave version_id and length_unit out</source>
-        <translation>version_id und length_unit weglassen</translation>
-    </message>
-    <message>
         <source>Look at its name, then ask again</source>
         <translation>Den Namen ansehen, dann noch einmal verlangen</translation>
     </message>
@@ -9238,6 +9234,18 @@
     <message>
         <source>writing the document</source>
         <translation>schreibt das Dokument</translation>
+    </message>
+    <message>
+        <source>Ask for inp (CalculiX, Abaqus) or bdf (Nastran), or name no load case</source>
+        <translation>inp (CalculiX, Abaqus) oder bdf (Nastran) wählen oder keinen Lastfall nennen</translation>
+    </message>
+    <message>
+        <source>Leave version_id, length_unit and load_case out</source>
+        <translation>version_id, length_unit und load_case weglassen</translation>
+    </message>
+    <message>
+        <source>a file of the format %1 holds no load case</source>
+        <translation>eine Datei des Formats %1 enthält keinen Lastfall</translation>
     </message>
 </context>
 <context>

@@ -4,9 +4,11 @@
 #include <atomic>
 #include <fstream>
 #include <set>
+#include <sstream>
 #include <thread>
 
 #include "actors/store/documents_folder.hpp"
+#include "base/child_process.hpp"
 #include "protocol/convert.hpp"
 #include "tests/scenarios/fixture.hpp"
 #include "tests/support/parts.hpp"
@@ -155,6 +157,39 @@ TEST_F(DocumentFiles, WhatAKillLeftGoesWhenTheServerStarts) {
   EXPECT_EQ(names(), (std::set<std::string>{"cube.tedit"}));
   user = connect(host->url());
   EXPECT_EQ(value(user->open("cube", false, false)).head->number, 1u);
+}
+
+/// The lines of a deck, but for its title, which says what it was made of.
+std::vector<std::string> lines_of(const std::string& deck) {
+  std::vector<std::string> lines;
+  std::istringstream in(deck);
+  for (std::string line; std::getline(in, line);)
+    if (line.find(" on ") == std::string::npos)
+      lines.push_back(line);
+  return lines;
+}
+
+/// What `tedit export` writes of the same part, line by line.
+TEST_F(DocumentFiles, ADeckHoldsTheLoadCaseThatItIsAskedFor) {
+  const auto loads = value(protocol::load_case_from_file(plate_loads));
+  value(user->open("plate", false, false));
+  value(user->import_file(plate_mesh, "mm", {}));
+  value(user->set_load_case(loads));
+  for (const std::string format : {"inp", "bdf"}) {
+    const auto file = elsewhere.path() / ("deck." + format);
+    value(run_child({TEDIT_BIN "/tedit", "export", plate_mesh.string(), "--load-case",
+                     plate_loads.string(), "-o", file.string()},
+                    {}, {patience, 0}, {}));
+    std::ifstream in(file);
+    const std::string written{std::istreambuf_iterator<char>(in), {}};
+    const auto sent = value(user->export_file(format, {}, {}, {}, loads.name));
+    EXPECT_TRUE(lines_of({sent.begin(), sent.end()}) == lines_of(written)) << format;
+    EXPECT_GT(written.size(), 1'000'000U);
+  }
+  EXPECT_EQ(user->export_file("inp", {}, {}, {}, "none").error().code, ec::not_found);
+  for (const auto* other : {"msh", "vtu", "tedit"})
+    EXPECT_EQ(user->export_file(other, {}, {}, {}, loads.name).error().code, ec::invalid_argument)
+      << other;
 }
 
 }  // namespace

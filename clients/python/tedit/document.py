@@ -208,15 +208,25 @@ class Document:
         answer = self._ask("compare_versions", body, cancel=cancel, quick=False)
         return Comparison(answer.body, answer.arrays)
 
-    def export(self, format: str, *, version_id: str = "", unit: str = "", progress: Progress | None = None, cancel: CancelToken | None = None) -> bytes:
-        """A version as a file's bytes; `format` is a name of `Client.welcome.formats`, or "tedit": the whole document."""
-        body = session.ExportFile(document=self.name, version_id=version_id, format=format, length_unit=unit)
+    def export(
+        self,
+        format: str,
+        *,
+        version_id: str = "",
+        unit: str = "",
+        load_case: str = "",
+        progress: Progress | None = None,
+        cancel: CancelToken | None = None,
+    ) -> bytes:
+        """A version as a file's bytes; `format` is a name of `Client.welcome.formats`, or "tedit": the whole document. With
+        a load case "inp" and "bdf" are decks that CalculiX and Nastran run."""
+        body = session.ExportFile(document=self.name, version_id=version_id, format=format, length_unit=unit, load_case=load_case)
         return self._ask("export_file", body, progress=progress, cancel=cancel, quick=False).data("file")
 
-    def export_to(self, path: str | os.PathLike[str], *, version_id: str = "", unit: str = "", cancel: CancelToken | None = None) -> None:
+    def export_to(self, path: str | os.PathLike[str], *, version_id: str = "", unit: str = "", load_case: str = "", cancel: CancelToken | None = None) -> None:
         """The same into a file, in the format of its suffix; it is there whole or not at all."""
         target = pathlib.Path(path)
-        data = self.export(target.suffix[1:], version_id=version_id, unit=unit, cancel=cancel)
+        data = self.export(target.suffix[1:], version_id=version_id, unit=unit, load_case=load_case, cancel=cancel)
         draft = target.with_name(target.name + ".part")
         draft.write_bytes(data)
         draft.replace(target)

@@ -236,9 +236,10 @@ export class Document {
     return { message, arrays };
   }
 
-  /** A version as a file's bytes; `format` is a name of `Client.welcome.formats`, or "tedit": the whole document. */
-  async export(format: string, options: CallOptions & { versionId?: string; unit?: string } = {}): Promise<Uint8Array> {
-    const value = { document: this.name, format, versionId: options.versionId ?? "", lengthUnit: options.unit ?? "" };
+  /** A version as a file's bytes; `format` is a name of `Client.welcome.formats`, or "tedit": the whole document. With
+   * a load case "inp" and "bdf" are decks that CalculiX and Nastran run. */
+  async export(format: string, options: CallOptions & { versionId?: string; unit?: string; loadCase?: string } = {}): Promise<Uint8Array> {
+    const value = { document: this.name, format, versionId: options.versionId ?? "", lengthUnit: options.unit ?? "", loadCase: options.loadCase ?? "" };
     return (await this.ask({ case: "exportFile", value }, "fileReady", options)).arrays.u8("file");
   }
 
