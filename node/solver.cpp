@@ -67,8 +67,8 @@ expected<job_output<solve_result>> solve_order_with(const solver_offer& offer,
 }
 
 solver_actor::behavior_type own_solver(own_solver_pointer self, std::shared_ptr<page_cache> cache,
-                                       page_store_actor pages, solver_offer offer) {
-  self->state.jobs = make_jobs(self, worker_role::solver, std::move(cache), std::move(pages));
+                                       const page_store_actor& pages, solver_offer offer) {
+  self->state.jobs = make_jobs(self, worker_role::solver, std::move(cache), pages);
   self->state.offer = std::move(offer);
   return {[=](job_id job, const solve_order& order) {
             return perform<solve_result>(

@@ -72,7 +72,7 @@ private:
   void check_life(steady::time_point now);
   void check_queue(steady::time_point now);
   void end(ending why);
-  void begin_close(std::uint16_t code, std::string reason, bool drop_queue);
+  void begin_close(std::uint16_t code, const std::string& reason, bool drop_queue);
   void send_close();
   void drop_queue();
   void finish(const std::string& reason);
@@ -378,7 +378,7 @@ void ws_session::end(ending why) {
   begin_close(1001, "the server stops", true);
 }
 
-void ws_session::begin_close(std::uint16_t code, std::string reason, bool drop) {
+void ws_session::begin_close(std::uint16_t code, const std::string& reason, bool drop) {
   if (done_ || dropped_ || (closing_ && !drop))
     return;
   if (!open_)

@@ -27,8 +27,9 @@ struct seal {
   void add(const hash128& row) noexcept;
   void take_off(const hash128& row) noexcept;
 
-  // NOLINTNEXTLINE(bugprone-reserved-identifier,readability-identifier-naming): the compiler's.
-  friend bool operator==(const seal&, const seal&) = default;
+  friend bool operator==(const seal& a, const seal& b) {
+    return a.rows == b.rows && a.sum == b.sum && a.schema == b.schema;
+  }
 };
 
 /// The statements that read, check and write hashes and the seal of one open database.
