@@ -27,12 +27,11 @@ struct seal {
   void add(const hash128& row) noexcept;
   void take_off(const hash128& row) noexcept;
 
-  friend bool operator==(const seal& a, const seal& b) {
-    return a.rows == b.rows && a.sum == b.sum && a.schema == b.schema;
-  }
+  friend bool operator==(const seal&, const seal&) = default;
 };
 
 /// The statements that read, check and write hashes and the seal of one open database.
+// NOLINTNEXTLINE(bugprone-reserved-identifier,readability-identifier-naming): the compiler's.
 class seal_keeper {
 public:
   /// @param tables the first so many there are. Errors: those of `sql_failure`.
