@@ -66,6 +66,10 @@ error named(error e, const catalogue::entry& entry) {
              "\" looks for such faults; report this to the plugin's author";
   if (misdeed)
     e.remedy = misdeed_remedy;
+  else if (e.code == ec::timeout)  // Long work is no fault.
+    e.remedy =
+      "The part is unchanged. Take fewer surfaces or other values, or give it more time with "
+      "--time-limit";
   return e;
 }
 
