@@ -6,6 +6,7 @@
 
 #include <cstdio>
 #include <ctime>
+#include <exception>
 #include <filesystem>
 #include <string>
 
@@ -109,7 +110,7 @@ int write(const char* from, const char* format, const char* to) {
 }  // namespace
 }  // namespace tedit
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   const std::string what = argc > 1 ? argv[1] : "";
   if (what == "read" && argc == 3)
     return tedit::read_alone(argv[2]);
@@ -118,4 +119,6 @@ int main(int argc, char** argv) {
   std::fprintf(stderr,
                "usage: bench_formats read FILE\n       bench_formats write MESH FORMAT OUT\n");
   return 2;
+} catch (const std::exception& why) {
+  return std::fprintf(stderr, "%s\n", why.what()), 1;
 }
