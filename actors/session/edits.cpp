@@ -392,8 +392,10 @@ void session_state::write_version(
   load_case_list loads;
   if (!request.load_case.empty()) {
     auto chosen = cases_named(node, {request.load_case});
-    if (!chosen)
-      return promise->deliver(to_caf(chosen.error()));
+    if (!chosen) {
+      promise->deliver(to_caf(chosen.error()));
+      return;
+    }
     loads = std::move(*chosen);
   }
   const auto job = new_job(request.ticket, request.client);
