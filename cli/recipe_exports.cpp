@@ -53,7 +53,9 @@ std::filesystem::path recipe_runner::path_of(const std::string& name) const {
 expected<void> recipe_runner::write(const std::string& format, const std::filesystem::path& path) {
   if (format == client::step_format)
     return write_step(path);
-  const auto bytes = server_.export_file(format, head_.version_id, "mm", make_execution(session_));
+  const bool whole = format == document_format;
+  const auto bytes = server_.export_file(format, whole ? std::string() : head_.version_id,
+                                         whole ? "" : "mm", make_execution(session_));
   end_progress(session_);
   if (!bytes)
     return fail(bytes.error());

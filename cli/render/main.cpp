@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
+#include <cstdio>
+#include <exception>
 #include <iostream>
 
 #include <CLI/CLI.hpp>
@@ -26,7 +28,7 @@ int report(const tedit::error& e, bool json) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   tedit::picture::picture_options options;
   std::vector<double> range;
   std::vector<int> size;
@@ -100,4 +102,6 @@ int main(int argc, char** argv) {
                                         {"height", options.height}}
               << '\n';
   return 0;
+} catch (const std::exception& why) {
+  return std::fprintf(stderr, "tedit-render: %s\n", why.what()), 1;
 }

@@ -266,10 +266,10 @@ TEST_F(CadOnAServer, AnImportThatIsCancelledLeavesNothing) {
       stop.cancel();
   };
   const auto ended =
-    user->import_part(TEDIT_TEST_DATA "/cad/as1_assembly.stp", "given up", {}, run);
+    user->import_part(TEDIT_TEST_DATA "/cad/as1_assembly.stp", "given-up", {}, run);
   ASSERT_FALSE(ended.has_value());
   EXPECT_EQ(ended.error().code, ec::cancelled);
-  const auto again = user->import_part(TEDIT_TEST_DATA "/cad/box.step", "given up",
+  const auto again = user->import_part(TEDIT_TEST_DATA "/cad/box.step", "given-up",
                                        {.fineness = "coarse", .or_next_free = true}, {});
   ASSERT_TRUE(again.has_value()) << render(again.error());
 }
