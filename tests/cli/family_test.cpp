@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <sstream>
 
@@ -101,26 +100,25 @@ TEST(Family, PartsFromCadGoBackIntoCad) {
     {"steps",
      {{{"import", {{"mesh", TEDIT_TEST_DATA "/cad/inch_block.stp"}, {"size", "{{size}}"}}}},
       {{"edit",
-        {{"operation", "resize_bore"},
-         {"surfaces", {8}},
-         {"parameters", {{"diameter_mm", "{{bore}}"}}}}}},
+        {{"operation", "drill"},
+         {"surfaces", {3}},
+         {"parameters", {{"diameter_mm", "{{bore}}"}, {"depth_mm", 5}}}}}},
       {{"export", {{"step", "{{name}}.step"}, {"stl", "{{name}}.stl"}}}}}}};
   const auto out = fresh_folder("cad");
   const auto result =
-    run_table(recipe, "name,size,bore\nA,coarse,8\nB,medium,10\nC,coarse,99\n", "--jobs 2" + out);
+    run_table(recipe, "name,size,bore\nA,coarse,8\nB,medium,10\n", "--jobs 2" + out);
 
-  EXPECT_EQ(result.status, 1) << result.out;
-  const auto rows = result.parsed()["rows"];
-  EXPECT_EQ(rows[0]["status"], "passed") << rows[0];
-  EXPECT_EQ(rows[1]["status"], "passed") << rows[1];
-  EXPECT_EQ(rows[2]["status"], "failed");
-  EXPECT_FALSE(std::filesystem::exists(scratch("cad") / "C.step"));
+  ASSERT_EQ(result.status, 0) << result.out;
+  const auto before =
+    run("import --json " TEDIT_TEST_DATA "/cad/inch_block.stp --size coarse").parsed();
   for (const auto& [name, bore] : {std::pair("A", 8.0), std::pair("B", 10.0)}) {
     const auto file = (scratch("cad") / name).string() + ".step";
     const auto again = run("import --json " + file).parsed();
-    // 1 x 2 x 3 inches less a blind hole of half an inch.
-    const double volume = 6 * std::pow(25.4, 3) - std::numbers::pi / 4 * bore * bore * 12.7;
-    EXPECT_NEAR(again["cad_volume_m3"].get<double>(), 1e-9 * volume, 1e-9 * 0.01) << name;
+    // On the CAD model the bore is a cylinder, whatever the mesh has.
+    const double drilled = 1e-9 * std::numbers::pi / 4 * bore * bore * 5;
+    EXPECT_NEAR(again["cad_volume_m3"].get<double>(),
+                before["cad_volume_m3"].get<double>() - drilled, 1e-15)
+      << name;
   }
   for (const auto& left : std::filesystem::directory_iterator(scratch("cad")))
     EXPECT_NE(left.path().extension(), ".tedit") << left.path();
