@@ -87,19 +87,25 @@ std::string pretty(double value, int digits) {
   return buffer;
 }
 
+/// Of UTF-8: as wide as they stand in a terminal, but for those of East Asia.
+static std::size_t characters_of(const std::string& text) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+    text, [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; }));
+}
+
 std::string format_table(const std::vector<std::vector<std::string>>& rows,
                          const std::set<std::size_t>& labels) {
   std::vector<std::size_t> widths;
   for (const auto& row : rows) {
     widths.resize(std::max(widths.size(), row.size()), 0);
     for (std::size_t c = 0; c < row.size(); ++c)
-      widths[c] = std::max(widths[c], row[c].size());
+      widths[c] = std::max(widths[c], characters_of(row[c]));
   }
   std::string text;
   for (std::size_t r = 0; r < rows.size(); ++r) {
     std::string line = " ";
     for (std::size_t c = 0; c < rows[r].size(); ++c) {
-      const std::string pad(widths[c] - rows[r][c].size(), ' ');
+      const std::string pad(widths[c] - characters_of(rows[r][c]), ' ');
       const bool label = c == 0 || labels.contains(c);
       line += (c == 0 ? " " : "  ") + (label ? rows[r][c] + pad : pad + rows[r][c]);
     }

@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QPageLayout>
+#include <QPainter>
 #include <QPdfWriter>
 #include <QTextDocument>
 #include <QUrl>
@@ -25,6 +26,42 @@ protected:
   }
 };
 
+/// The page's lengths are those of screens, 96 to the inch; what is drawn is as fine as paper.
+void print(QTextDocument& document, QFile& out) {
+  constexpr double screen_dpi = 96;
+  constexpr int margin = 44;
+  constexpr int usual_text = 13;
+  QPdfWriter pdf(&out);
+  pdf.setPageSize(QPageSize(QPageSize::A4));
+  pdf.setPageOrientation(QPageLayout::Landscape);
+  pdf.setPageMargins({});
+  pdf.setTitle(document.metaInformation(QTextDocument::DocumentTitle));
+  pdf.setCreator("TEdit");
+  const double scale = pdf.resolution() / screen_dpi;
+  const QSizeF paper = QSizeF(pdf.width(), pdf.height()) / scale;
+  QFont font;
+  font.setPixelSize(usual_text);
+  document.setDefaultFont(font);
+  document.setDocumentMargin(0);
+  const QSizeF area(paper.width() - 2 * margin, paper.height() - 2 * margin);
+  document.setPageSize(area);
+  QPainter painter(&pdf);
+  painter.scale(scale, scale);
+  for (int page = 0; page < document.pageCount(); ++page) {
+    if (page > 0)
+      pdf.newPage();
+    const QRectF shown(QPointF(0, page * area.height()), area);
+    painter.save();
+    painter.translate(margin, margin - shown.top());
+    document.drawContents(&painter, shown);
+    painter.restore();
+    painter.setFont(font);
+    painter.drawText(QRectF(margin, paper.height() - margin, area.width(), margin),
+                     Qt::AlignRight | Qt::AlignVCenter,
+                     QString("%1 / %2").arg(page + 1).arg(document.pageCount()));
+  }
+}
+
 int refuse(const QString& why) {
   std::fprintf(stderr, "tedit-pdf: %s\n", why.toUtf8().constData());
   return 1;
@@ -39,14 +76,7 @@ int write(const QString& page, const QString& file) {
   QFile out(file);
   if (!out.open(QIODevice::WriteOnly))
     return refuse(file + ": " + out.errorString());
-  {
-    QPdfWriter pdf(&out);
-    pdf.setPageSize(QPageSize(QPageSize::A4));
-    pdf.setPageOrientation(QPageLayout::Landscape);
-    pdf.setTitle(document.metaInformation(QTextDocument::DocumentTitle));
-    pdf.setCreator("TEdit");
-    document.print(&pdf);
-  }
+  print(document, out);
   if (!out.flush() || out.error() != QFileDevice::NoError)
     return refuse(file + ": " + out.errorString());
   return 0;
