@@ -63,8 +63,12 @@ std::string cells_html(const family_row& row) {
   return "<td>" + html + "</td>";
 }
 
-std::string steps_html(const family_row& row) {
-  std::string html = "<details><summary>steps</summary><ol start=\"" +
+/// On paper nothing opens: there only rows that failed have their steps.
+enum class page { screen, paper };
+
+std::string steps_html(const family_row& row, page on) {
+  std::string html = std::string(on == page::paper ? "" : "<details><summary>steps</summary>") +
+                     "<ol start=\"" +
                      std::to_string(row.steps.empty() ? 1 : row.steps.front().number) + "\">";
   for (const auto& step : row.steps) {
     const bool failed = step.status == family_status::failed;
@@ -77,17 +81,18 @@ std::string steps_html(const family_row& row) {
             (reached ? " <span class=\"faint\">" + pretty(1e-3 * step.ms, 2) + " s</span>" : "") +
             "</li>";
   }
-  return html + "</ol></details>";
+  return html + (on == page::paper ? "</ol>" : "</ol></details>");
 }
 
 /// The PNG inside the page, or why there is none.
-std::string picture_html(const family_row& row) {
+std::string picture_html(const family_row& row, page on) {
   std::ifstream in(row.picture, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(in), {}};
   if (row.picture.empty() || bytes.empty())
     return "<td class=\"faint\">" + escaped(row.picture_missing) + "</td>";
-  return "<td><img width=\"240\" loading=\"lazy\" alt=\"" + escaped(row.name) +
-         "\" src=\"data:image/png;base64," + to_base64(bytes) + "\"></td>";
+  return "<td><img width=\"" + std::string(on == page::paper ? "190" : "240") +
+         "\" loading=\"lazy\" alt=\"" + escaped(row.name) + "\" src=\"data:image/png;base64," +
+         to_base64(bytes) + "\"></td>";
 }
 
 std::string safety_html(const family_row& row) {
@@ -128,19 +133,19 @@ std::string head_html(const family_result& result) {
          line("Made by", escaped(result.program)) + "</table>\n";
 }
 
-std::string failed_html(const family_row& row) {
+std::string failed_html(const family_row& row, page on) {
   const auto* step = row.failed_step();
   std::string html = "<tr><td class=\"n\">" + std::to_string(row.number) + "</td><td>" +
                      escaped(row.name) + "</td>" + cells_html(row) + "<td>" +
                      (step ? std::to_string(step->number) + " " + escaped(step->what) : "") +
-                     steps_html(row) + "</td><td>";
+                     steps_html(row, on) + "</td><td>";
   if (row.failure)
     html += escaped(row.failure->message) + "<br><span class=\"faint\">" +
             escaped(row.failure->remedy) + "</span>";
   return html + "</td></tr>\n";
 }
 
-std::string passed_html(const family_row& row) {
+std::string passed_html(const family_row& row, page on) {
   const bool is_solved = row.max_von_mises_pa.has_value();
   return "<tr><td class=\"n\">" + std::to_string(row.number) + "</td><td>" + escaped(row.name) +
          "</td>" + cells_html(row) + number_cell(row.mass_kg, 1, 4) +
@@ -148,20 +153,21 @@ std::string passed_html(const family_row& row) {
          stress_html(row) + safety_html(row) + "<td class=\"n\">" +
          (is_solved ? pretty(100 * row.error_estimate, 2) + " %" : std::string("&ndash;")) +
          (row.preview ? "<br><span class=\"warning\">preview</span>" : "") + "</td>" +
-         picture_html(row) + "<td>" + steps_html(row) + "</td></tr>\n";
+         picture_html(row, on) + (on == page::paper ? "" : "<td>" + steps_html(row, on) + "</td>") +
+         "</tr>\n";
 }
 
 /// The rows of one status below their heading; nothing when there are none.
 void write_rows(std::ostream& out, const family_result& result, family_status status,
                 const std::string& heading, const std::string& columns,
-                std::string (*html)(const family_row& row)) {
+                std::string (*html)(const family_row& row, page on), page on) {
   if (result.count(status) == 0)
     return;
   out << "<h2>" << heading << "</h2>\n<table><tr><th class=\"n\">Row</th><th>Name</th>"
       << "<th>Values</th>" << columns << "</tr>\n";
   for (const auto& row : result.rows)
     if (row.status == status)
-      out << html(row);
+      out << html(row, on);
   out << "</table>\n";
 }
 
@@ -169,11 +175,11 @@ void write_rows(std::ostream& out, const family_result& result, family_status st
 
 namespace {
 
-expected<void> write_html(const family_result& result, const std::filesystem::path& file) {
+expected<void> write_html(const family_result& result, const std::filesystem::path& file, page on) {
   std::ofstream out(file, std::ios::binary);
   out << head_html(result);
   const std::string reasons = "<th>Step</th><th>Reason</th>";
-  write_rows(out, result, family_status::failed, "Parts that failed", reasons, failed_html);
+  write_rows(out, result, family_status::failed, "Parts that failed", reasons, failed_html, on);
   write_rows(out, result, family_status::not_run, "Parts that were not carried out", reasons,
              failed_html);
   write_rows(out, result, family_status::passed, "Parts that passed",
@@ -181,8 +187,9 @@ expected<void> write_html(const family_result& result, const std::filesystem::pa
              "<th class=\"n\">Largest<br>displacement<br>mm</th>"
              "<th class=\"n\">Largest<br>von Mises<br>MPa</th>"
              "<th class=\"n\">Safety<br>factor</th><th class=\"n\">Error<br>estimate</th>"
-             "<th>Picture</th><th></th>",
-             passed_html);
+             "<th>Picture</th>" +
+               std::string(on == page::paper ? "" : "<th></th>"),
+             passed_html, on);
   out
     << "<p class=\"faint\">Each picture has a legend of its own, unless the recipe's export fixes "
        "\"range_mpa\". A safety factor is the yield strength over the largest von Mises stress. "
@@ -200,13 +207,13 @@ bool is_pdf(const std::filesystem::path& file) {
 
 /// A browser would print the page; this needs none, and no display.
 expected<void> write_pdf(const family_result& result, const std::filesystem::path& file) {
-  const auto page = std::filesystem::path(file.string() + ".html");
-  if (auto written = write_html(result, page); !written)
+  const auto html = std::filesystem::path(file.string() + ".html");
+  if (auto written = write_html(result, html, page::paper); !written)
     return written;
-  const auto done = run_child({pdf_program().string(), page.string(), file.string()}, {},
+  const auto done = run_child({pdf_program().string(), html.string(), file.string()}, {},
                               {std::chrono::minutes(10), 0}, {});
   std::error_code ignored;
-  std::filesystem::remove(page, ignored);
+  std::filesystem::remove(html, ignored);
   if (!done)
     return fail(done.error().code,
                 "the report " + file.string() + " could not be made: " + done.error().message,
@@ -232,7 +239,7 @@ expected<void> check_report_name(const std::filesystem::path& file) {
 }
 
 expected<void> write_report(const family_result& result, const std::filesystem::path& file) {
-  return is_pdf(file) ? write_pdf(result, file) : write_html(result, file);
+  return is_pdf(file) ? write_pdf(result, file) : write_html(result, file, page::screen);
 }
 
 }  // namespace tedit::cli
