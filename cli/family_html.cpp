@@ -181,7 +181,7 @@ expected<void> write_html(const family_result& result, const std::filesystem::pa
   const std::string reasons = "<th>Step</th><th>Reason</th>";
   write_rows(out, result, family_status::failed, "Parts that failed", reasons, failed_html, on);
   write_rows(out, result, family_status::not_run, "Parts that were not carried out", reasons,
-             failed_html);
+             failed_html, on);
   write_rows(out, result, family_status::passed, "Parts that passed",
              "<th class=\"n\">Mass<br>kg</th><th class=\"n\">Volume<br>cm&sup3;</th>"
              "<th class=\"n\">Largest<br>displacement<br>mm</th>"
