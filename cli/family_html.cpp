@@ -157,23 +157,28 @@ std::string passed_html(const family_row& row, page on) {
          "</tr>\n";
 }
 
-/// The rows of one status below their heading; nothing when there are none.
+/// The rows of one status below their heading; nothing when there are none. On paper a row of parts
+/// that passed stays whole: as many of them as a page holds are a table of their own.
 void write_rows(std::ostream& out, const family_result& result, family_status status,
                 const std::string& heading, const std::string& columns,
                 std::string (*html)(const family_row& row, page on), page on) {
-  if (result.count(status) == 0)
-    return;
-  out << "<h2>" << heading << "</h2>\n<table><tr><th class=\"n\">Row</th><th>Name</th>"
-      << "<th>Values</th>" << columns << "</tr>\n";
-  for (const auto& row : result.rows)
-    if (row.status == status)
-      out << html(row, on);
-  out << "</table>\n";
+  constexpr std::size_t rows_of_a_page = 5;
+  const bool paged = on == page::paper && status == family_status::passed;
+  std::size_t written = 0;
+  for (const auto& row : result.rows) {
+    if (row.status != status)
+      continue;
+    if (written == 0 || (paged && written % rows_of_a_page == 0))
+      out << (written > 0 ? "</table>\n" : "")
+          << (paged ? "<h2 style=\"page-break-before: always\">" : "<h2>") << heading
+          << "</h2>\n<table><tr><th class=\"n\">Row</th><th>Name</th><th>Values</th>" << columns
+          << "</tr>\n";
+    out << html(row, on);
+    ++written;
+  }
+  if (written > 0)
+    out << "</table>\n";
 }
-
-}  // namespace
-
-namespace {
 
 expected<void> write_html(const family_result& result, const std::filesystem::path& file, page on) {
   std::ofstream out(file, std::ios::binary);
