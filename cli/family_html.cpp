@@ -162,7 +162,7 @@ std::string passed_html(const family_row& row, page on) {
 void write_rows(std::ostream& out, const family_result& result, family_status status,
                 const std::string& heading, const std::string& columns,
                 std::string (*html)(const family_row& row, page on), page on) {
-  constexpr std::size_t rows_of_a_page = 5;
+  constexpr std::size_t rows_of_a_page = 4;
   const bool paged = on == page::paper && status == family_status::passed;
   std::size_t written = 0;
   for (const auto& row : result.rows) {
