@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 #include "mesh/version.hpp"
@@ -15,17 +16,35 @@ struct compaction {
   std::vector<std::uint32_t> index;  ///< Item (0-based) of each slot, `no_id` when it is left out.
 };
 
+/// The slots by their places in `order`, each below `order.size()`; equal ones stay as they are.
+/// Cost: O(n).
+inline void put_in_order(std::vector<std::uint32_t>& slots,
+                         const paged_array<std::uint32_t>& order) {
+  std::vector<std::uint32_t> place(slots.size());
+  std::vector<std::uint32_t> first(order.size() + 1);  // Where those of each place begin.
+  for (std::size_t i = 0; i < slots.size(); ++i) {
+    place[i] = order[slots[i]];
+    ++first[place[i] + 1];
+  }
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<std::uint32_t> sorted(slots.size());
+  for (std::size_t i = 0; i < slots.size(); ++i)
+    sorted[first[place[i]]++] = slots[i];
+  slots = std::move(sorted);
+}
+
 /// Those of `slots` slots for which `is_wanted` says so, in the order that `order` gives them
-/// (mesh_data), ascending where that is empty. Cost: O(n log n).
+/// (mesh_data), ascending where that is empty. Cost: O(n).
 template <class IsWanted>
 [[nodiscard]] compaction compact(std::uint32_t slots, const paged_array<std::uint32_t>& order,
                                  const IsWanted& is_wanted) {
   compaction result;
+  result.slots.reserve(slots);
   for (std::uint32_t s = 0; s < slots; ++s)
     if (is_wanted(s))
       result.slots.push_back(s);
   if (order.size() == slots)
-    std::ranges::stable_sort(result.slots, {}, [&](std::uint32_t s) { return order[s]; });
+    put_in_order(result.slots, order);
   result.index.assign(slots, no_id);
   for (std::size_t i = 0; i < result.slots.size(); ++i)
     result.index[result.slots[i]] = static_cast<std::uint32_t>(i);

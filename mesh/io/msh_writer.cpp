@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <algorithm>
+#include <cstring>
 #include <map>
 #include <ostream>
 
@@ -16,6 +17,33 @@ template <class T>
 void put(std::ostream& out, T value) {
   out.write(reinterpret_cast<const char*>(&value), sizeof(T));
 }
+
+/// Many numbers on their way to a stream, which takes longer over each than over a thousand.
+class number_buffer {
+public:
+  explicit number_buffer(std::ostream& out) : out_(out) {}
+  number_buffer(const number_buffer&) = delete;
+  number_buffer& operator=(const number_buffer&) = delete;
+  ~number_buffer() { flush(); }
+
+  template <class T>
+  void put(T value) {
+    if (used_ + sizeof(T) > bytes_.size())
+      flush();
+    std::memcpy(bytes_.data() + used_, &value, sizeof(T));
+    used_ += sizeof(T);
+  }
+
+private:
+  void flush() {
+    out_.write(bytes_.data(), static_cast<std::streamsize>(used_));
+    used_ = 0;
+  }
+
+  std::ostream& out_;
+  std::vector<char> bytes_ = std::vector<char>(std::size_t{64} << 10);
+  std::size_t used_ = 0;
+};
 
 using triangle_list = std::vector<std::array<vertex_id, 3>>;
 
@@ -81,10 +109,11 @@ private:
       out << "$PhysicalNames\n" << count << '\n' << lines << "$EndPhysicalNames\n";
   }
 
+  /// @param extents in metres.
   void write_entity(std::ostream& out, std::int32_t tag, const box& extents,
                     std::int32_t group) const {
     put(out, tag);
-    for (const auto p : {extents.low, extents.high}) {
+    for (const auto p : {scale_ * extents.low, scale_ * extents.high}) {
       put(out, p.x);
       put(out, p.y);
       put(out, p.z);
@@ -105,18 +134,26 @@ private:
       box extents;
       for (const auto& triangle : list)
         for (const auto v : triangle)
-          extents.add(point(v));
+          extents.add(mesh_.position(v));
       write_entity(out, static_cast<std::int32_t>(surface), extents,
                    group_of(mesh_.surfaces(), surface));
     }
-    for (const auto& [region, list] : tets_) {
-      box extents;
-      for (const auto t : list)
-        for (const auto v : mesh_.tet_at(t).v)
-          extents.add(point(v));
-      write_entity(out, region, extents, group_of(mesh_.regions(), region));
-    }
+    for (const auto& [region, list] : tets_)
+      write_entity(out, region, extents_of(list), group_of(mesh_.regions(), region));
     out << "\n$EndEntities\n";
+  }
+
+  [[nodiscard]] box extents_of(const std::vector<tet_id>& list) const {
+    box extents;
+    if (list.size() == live_tets_.slots.size()) {  // Each vertex once, not for each tet.
+      for (const auto v : vertices_.slots)
+        extents.add(mesh_.position(v));
+      return extents;
+    }
+    for (const auto t : list)
+      for (const auto v : mesh_.tet_at(t).v)
+        extents.add(mesh_.position(v));
+    return extents;
   }
 
   void write_nodes(std::ostream& out) const {
@@ -128,13 +165,12 @@ private:
     put<std::int32_t>(out, tets_.empty() ? 1 : tets_.begin()->first);
     put<std::int32_t>(out, 0);
     put(out, count);
-    for (std::uint64_t i = 1; i <= count; ++i)
-      put(out, i);
-    for (const auto v : vertices_.slots) {
-      const auto p = point(v);
-      put(out, p.x);
-      put(out, p.y);
-      put(out, p.z);
+    {
+      number_buffer numbers(out);
+      for (std::uint64_t i = 1; i <= count; ++i)
+        numbers.put(i);
+      for (const auto v : vertices_.slots)
+        numbers.put(point(v));
     }
     out << "\n$EndNodes\n";
   }
@@ -161,18 +197,20 @@ private:
     std::uint64_t number = 0;
     for (const auto& [surface, list] : triangles_) {
       begin_block(out, 2, static_cast<std::int32_t>(surface), 2, list.size());
+      number_buffer numbers(out);
       for (const auto& triangle : list) {
-        put(out, ++number);
+        numbers.put(++number);
         for (const auto v : triangle)
-          put(out, node(v));
+          numbers.put(node(v));
       }
     }
     for (const auto& [region, list] : tets_) {
       begin_block(out, 3, region, 4, list.size());
+      number_buffer numbers(out);
       for (const auto t : list) {
-        put(out, ++number);
+        numbers.put(++number);
         for (const auto v : mesh_.tet_at(t).v)
-          put(out, node(v));
+          numbers.put(node(v));
       }
     }
     out << "\n$EndElements\n";
