@@ -260,7 +260,8 @@ void cancel(spreading_pointer self, job_id id) {
   const auto found = state.running.find(id);
   if (found == state.running.end())
     return caf::anon_send(state.solvers, cancel_atom::value, id);
-  fail_all(self, found->second, {ec::cancelled, "the solve was cancelled", {}, {}});
+  const auto run = found->second;  // The row goes.
+  fail_all(self, run, {ec::cancelled, "the solve was cancelled", {}, {}});
 }
 
 solver_actor::behavior_type case_spreading(spreading_pointer self, solver_actor solvers,
