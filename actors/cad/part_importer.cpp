@@ -2,17 +2,19 @@
 #include "actors/cad/part_importer.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <optional>
-#include <span>
 
 #include "actors/cad/first_version.hpp"
 #include "actors/errors.hpp"
 #include "actors/exits.hpp"
 #include "actors/session/session.hpp"
+#include "actors/versions.hpp"
 #include "actors/worker/worker_jobs.hpp"
 #include "base/named_error.hpp"
 #include "cad/private_folder.hpp"
+#include "mesh/io/file.hpp"
 #include "scan/part_file.hpp"
 
 namespace tedit::actors {
@@ -52,19 +54,6 @@ expected<void> write(const fs::path& file, const std::vector<page_ptr>& pages) {
   return {};
 }
 
-expected<std::vector<page_ptr>> read(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::vector<page_ptr> pages;
-  std::vector<char> bytes(max_page_bytes);
-  while (in.read(bytes.data(), static_cast<std::streamsize>(bytes.size())) || in.gcount() > 0)
-    pages.push_back(page::from_bytes(
-      std::as_bytes(std::span(bytes).first(static_cast<std::size_t>(in.gcount())))));
-  if (pages.empty() || in.bad())
-    return fail(ec::io_error, "the server cannot read the document that it made",
-                "There must be room in the server's temporary folder");
-  return pages;
-}
-
 expected<part_document> make_document(const part_order& order, std::chrono::seconds limit,
                                       const fs::path& folder, const execution& run) {
   const auto file = folder / ("part" + suffix_of(order.file_name));
@@ -81,9 +70,9 @@ expected<part_document> make_document(const part_order& order, std::chrono::seco
   const auto document = folder / "part.tedit";
   return create_document(document, {made->part.version, made->model(), order.file_name,
                                     made->part.warnings, order.client_name})
-    .and_then([&] { return read(document); })
-    .map([&](std::vector<page_ptr>&& pages) {
-      return part_document{std::move(pages), std::move(made->part.warnings)};
+    .and_then([&] { return read_file(document); })
+    .map([&](const std::vector<char>& bytes) {
+      return part_document{cut(bytes), std::move(made->part.warnings)};
     });
 }
 

@@ -46,6 +46,10 @@ void export_file(client_state& client, std::uint64_t id, const v1::ExportFile& b
                               "Ask for inp (CalculiX, Abaqus) or bdf (Nastran), or name no load "
                               "case",
                               {}});
+  if (!body.load_case().empty() && !body.length_unit().empty() && body.length_unit() != "m")
+    return client.refuse(
+      id,
+      {ec::invalid_argument, "a deck with a load case is in metres", "Leave length_unit out", {}});
   export_request request;
   request.ticket = client.begin(id, document->session);
   request.client = caf::actor_cast<caf::actor>(client.self);

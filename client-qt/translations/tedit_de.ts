@@ -9208,10 +9208,6 @@
         <translation>Im temporären Ordner des Servers muss Platz sein</translation>
     </message>
     <message>
-        <source>the server cannot read the document that it made</source>
-        <translation>der Server kann das Dokument nicht lesen, das er angelegt hat</translation>
-    </message>
-    <message>
         <source>the server cannot write the file that was sent</source>
         <translation>der Server kann die gesendete Datei nicht schreiben</translation>
     </message>
@@ -9246,6 +9242,14 @@
     <message>
         <source>a file of the format %1 holds no load case</source>
         <translation>eine Datei des Formats %1 enthält keinen Lastfall</translation>
+    </message>
+    <message>
+        <source>Leave length_unit out</source>
+        <translation>length_unit weglassen</translation>
+    </message>
+    <message>
+        <source>a deck with a load case is in metres</source>
+        <translation>ein Deck mit einem Lastfall ist in Metern</translation>
     </message>
 </context>
 <context>

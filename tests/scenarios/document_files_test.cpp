@@ -187,6 +187,8 @@ TEST_F(DocumentFiles, ADeckHoldsTheLoadCaseThatItIsAskedFor) {
     EXPECT_GT(written.size(), 1'000'000U);
   }
   EXPECT_EQ(user->export_file("inp", {}, {}, {}, "none").error().code, ec::not_found);
+  EXPECT_EQ(user->export_file("inp", {}, "mm", {}, loads.name).error().code, ec::invalid_argument)
+    << "it is in metres, whatever is asked for";
   for (const auto* other : {"msh", "vtu", "tedit"})
     EXPECT_EQ(user->export_file(other, {}, {}, {}, loads.name).error().code, ec::invalid_argument)
       << other;
