@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "base/child_process.hpp"
+#include "base/named_error.hpp"
 #include "cli/export_step.hpp"
 #include "cli/recipe_runner.hpp"
 #include "cli/reports.hpp"
@@ -80,14 +81,14 @@ expected<void> recipe_runner::write_step(const std::filesystem::path& path) {
   std::error_code ignored;
   for (const char* with : {"", "-wal", "-shm"})
     std::filesystem::remove(copy.string() + with, ignored);
-  if (!done)
-    return fail(
-      done.error().code, done.error().message,
-      done.error().code == ec::not_found
-        ? "Begin the recipe with an import step of a CAD file; edits that are in the mesh "
-          "only have no place in a STEP file"
-        : done.error().remedy);
-  return {};
+  if (done)
+    return {};
+  auto why = named_error(done.error(), copy.string(), "the part");
+  if (why.code == ec::not_found)
+    why.remedy =
+      "Begin the recipe with an import step of a CAD file; edits that are in the mesh only have no "
+      "place in a STEP file";
+  return fail(std::move(why));
 }
 
 expected<void> recipe_runner::draw(const export_step& s, const std::filesystem::path& png,

@@ -130,7 +130,7 @@ TEST(Family, AStepFileOfAPartThatCameFromAMeshIsRefused) {
   std::ofstream(scratch("recipe.json")) << recipe;
   const auto refused = run("run --json " + scratch("recipe.json").string() + fresh_folder("none"));
   EXPECT_EQ(refused.status, 1);
-  EXPECT_THAT(refused.out, HasSubstr("has no CAD model"));
+  EXPECT_THAT(refused.out, HasSubstr("the part has no CAD model"));
   EXPECT_THAT(refused.out, HasSubstr("import step of a CAD file"));
 }
 
