@@ -136,6 +136,7 @@ struct move_request {
   std::uint32_t number = 0;  ///< For go_to.
   change_terms terms;
   caf::actor client = {};
+  std::uint64_t ticket = 0;
 };
 
 /// A load case for the head: in the place of that with its name, else a new one.
@@ -158,6 +159,8 @@ struct annotate_version {
 struct note_request {
   std::variant<set_load_case, remove_load_case, annotate_version> wanted;
   change_terms terms;
+  caf::actor client = {};
+  std::uint64_t ticket = 0;
 };
 
 struct solve_request {
@@ -184,8 +187,10 @@ struct history_request {
   bool reports = false;  ///< Also those of the edits.
 };
 
+/// By its number, or by its id (hexadecimal) where that is not empty.
 struct version_request {
   std::uint32_t number = 0;
+  std::string id = {};
 };
 
 struct select_request {

@@ -13,6 +13,7 @@
 #include <caf/meta/type_name.hpp>
 
 #include "actors/wire_value.hpp"
+#include "base/trace_context.hpp"
 #include "edit/report.hpp"
 #include "fem/load_case.hpp"
 #include "fem/solve_report.hpp"
@@ -131,6 +132,7 @@ struct order_base {
   caf::actor listener;
   /// Who asked, for the turns in a pool; 0: nobody. It does not travel: workers need not know.
   std::uint64_t client = 0;
+  tracing::context trace = {};  ///< Of the request; it does not travel either.
 };
 
 /// A mesh file, cut into pages, to be read.

@@ -256,6 +256,7 @@ const std::vector<option>& options() {
     {"limits", "result_bytes", bytes(&c::result_bytes)},
     {"limits", "version_bytes", bytes(&c::version_bytes)},
     {"log", "level", text(&c::log_level, level_fault)},
+    {"log", "traces", text(&c::traces, path_fault)},
   };
   return list;
 }

@@ -51,6 +51,7 @@ struct server_config {
   std::int64_t version_bytes = std::int64_t{512} << 20;
   // [log]
   std::string log_level = "info";  ///< In the file: level.
+  std::string traces;              ///< Empty: none are kept.
 
   friend bool operator==(const server_config&, const server_config&) = default;
 };

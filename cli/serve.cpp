@@ -65,6 +65,7 @@ server_options to_server_options(const server_config& config) {
   options.all_upload_bytes = static_cast<std::uint64_t>(config.all_upload_bytes);
   options.result_bytes = static_cast<std::uint64_t>(config.result_bytes);
   options.version_bytes = static_cast<std::uint64_t>(config.version_bytes);
+  options.traces = config.traces;
   return options;
 }
 

@@ -97,15 +97,16 @@ expected<void> client::impl::close_document() {
 }
 
 expected<document_state> client::open(const std::string& name, bool watch_surface,
-                                      bool watch_fields) {
+                                      bool watch_fields, const surface_model& held) {
   if (auto ok = impl_->close_document(); !ok)
     return fail(std::move(ok.error()));
-  impl_->link.arrivals().open(name);
+  impl_->link.arrivals().open(name, held);
   v1::ClientMessage request;
   auto* open = request.mutable_open_document();
   open->set_name(name);
   open->set_watch_surface(watch_surface);
   open->set_watch_fields(watch_fields);
+  open->set_held_version_id(held.version_id());
   auto state = convert(impl_->ask(std::move(request), body::kDocumentState), &body::document_state);
   if (state) {
     const std::lock_guard lock(impl_->mutex);

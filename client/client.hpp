@@ -80,9 +80,11 @@ public:
   // -- the document -----------------------------------------------------------------------
 
   /// Opens a document instead of the one before; it is made when it is not there. An empty name
-  /// makes a new unnamed one. `watch_surface` and `watch_fields` say what is sent unasked.
+  /// makes a new unnamed one. `watch_surface` and `watch_fields` say what is sent unasked. `held`,
+  /// a surface of it from an earlier connection, is not sent again: the first surface to arrive is
+  /// the difference to it, where the document has that version.
   [[nodiscard]] expected<document_state> open(const std::string& name, bool watch_surface,
-                                              bool watch_fields);
+                                              bool watch_fields, const surface_model& held = {});
 
   /// Closes the open document: nothing of it is sent any more, and others may delete it. Nothing
   /// when none is open.

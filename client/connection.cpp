@@ -33,6 +33,7 @@ connection::~connection() {
 }
 
 expected<void> connection::start(const connect_options& options) {
+  traceparent_ = options.traceparent;
   if (auto ok = socket_.connect(options.url, options.timeout, options.trust); !ok)
     return ok;
   return hello(options);
@@ -92,6 +93,14 @@ expected<void> connection::send(const v1::ClientMessage& message) {
     ec::service_unavailable, "the connection to the server is closed", "Connect again.", {}}));
 }
 
+std::uint64_t connection::number(v1::ClientMessage& request) {
+  const auto id = next_id_++;
+  request.set_request_id(id);
+  if (traceparent_)
+    request.set_traceparent(traceparent_());
+  return id;
+}
+
 void connection::send_cancel(std::uint64_t id) {
   v1::ClientMessage message;
   message.set_request_id(next_id_++);
@@ -105,8 +114,7 @@ expected<connection::answer> connection::ask(v1::ClientMessage request,
                                              const execution& run) {
   if (on_io_thread())
     return fail(ec::internal, "a blocking call from one of the client's own events");
-  const auto id = next_id_++;
-  request.set_request_id(id);
+  const auto id = number(request);
   auto entry = add(id, id);
   if (!entry)
     return fail(std::move(entry.error()));
@@ -261,6 +269,7 @@ expected<void> connection::dispatch(v1::ServerMessage& message, std::size_t byte
     case body::kVersionAnnotated:
     case body::kCadStateChanged:
     case body::kParticipantChanged:
+    case body::kBacklogNotice:
     case body::kDocumentRenamed:
     case body::kSurfaceUpdate:
     case body::kFieldUpdate:
@@ -313,6 +322,12 @@ expected<void> connection::dispatch_event(v1::ServerMessage& message, std::size_
     const auto& what = message.participant_changed();
     if (handlers_.on_participant && inbox_.is_open(what.document()))
       handlers_.on_participant(from_message(what.participant()), what.gone());
+    return {};
+  }
+  if (message.has_backlog_notice()) {
+    const auto& what = message.backlog_notice();
+    if (handlers_.on_backlog)
+      handlers_.on_backlog({what.waiting_bytes(), what.most_bytes(), what.closes_after_s()});
     return {};
   }
   if (message.has_document_renamed()) {

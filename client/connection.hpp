@@ -94,6 +94,8 @@ private:
   using shared_pending = std::shared_ptr<pending>;
 
   [[nodiscard]] expected<void> hello(const connect_options& options);
+  /// The next id, and what the request is a part of.
+  std::uint64_t number(v1::ClientMessage& request);
   [[nodiscard]] expected<shared_pending> add(std::uint64_t first, std::uint64_t last);
   void remove(std::uint64_t id);
   [[nodiscard]] expected<void> send(const v1::ClientMessage& message);
@@ -125,6 +127,7 @@ private:
   own_access access_;                    ///< As `formats_`.
   std::vector<offered_format> formats_;  ///< Not changed once `start` is done.
   std::string server_;                   ///< The same.
+  std::function<std::string()> traceparent_;
 
   std::mutex mutex_;  ///< Guards the three below and all `pending`.
   std::condition_variable changed_;

@@ -195,7 +195,7 @@ std::string inbox::document() const {
   return document_;
 }
 
-void inbox::open(const std::string& document) {
+void inbox::open(const std::string& document, const surface_model& held) {
   const std::lock_guard lock(mutex_);
   document_ = document;
   for (auto& [number, stream] : streams_)
@@ -204,7 +204,7 @@ void inbox::open(const std::string& document) {
       stream.data.discard();
     }
   surface_order_.clear();
-  surface_ = {};
+  surface_ = held;
   surface_error_.reset();
   surfaces_in_.clear();
   current_.reset();

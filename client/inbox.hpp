@@ -47,8 +47,9 @@ public:
 
   // -- from callers -----------------------------------------------------------------------
 
-  /// Forgets the document before; empty: any name is taken until `opened`.
-  void open(const std::string& document);
+  /// Forgets the document before; empty: any name is taken until `opened`. What is sent may build
+  /// on `held`.
+  void open(const std::string& document, const surface_model& held);
   void opened(const std::string& document);
   [[nodiscard]] std::string document() const;
 

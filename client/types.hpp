@@ -42,6 +42,9 @@ struct connect_options {
   std::chrono::milliseconds timeout{5000};  ///< For connecting, and again for Welcome.
   std::chrono::milliseconds request_timeout{30'000};          ///< For requests that are short.
   std::chrono::milliseconds long_request_timeout{3'600'000};  ///< For import, edit, solve, export.
+  /// The span that each request is a part of, as the header "traceparent" of the W3C's Trace
+  /// Context has it; asked from the thread that makes the request. May be empty.
+  std::function<std::string()> traceparent;
 };
 
 /// What was received for one stream: its header message and its chunks.
@@ -322,6 +325,13 @@ struct solve_settings {
 /// What happens to the open document without being asked for. All are called from the client's I/O
 /// thread, one at a time; they must be quick and must not call the client's blocking functions
 /// (those fail with `internal`) nor destroy it. Each may be empty.
+/// What the server says of a connection that takes less than it is sent.
+struct backlog {
+  std::uint64_t waiting_bytes = 0;
+  std::uint64_t most_bytes = 0;
+  double closes_after_s = 0;  ///< Unless less than `most_bytes` wait by then.
+};
+
 struct events {
   std::function<void(const surface_event&)> on_surface;
   std::function<void(const field_event&)> on_field;
@@ -335,6 +345,8 @@ struct events {
   /// By any client: the document's name from now on, which requests use already.
   std::function<void(const std::string& name)> on_renamed;
   std::function<void(const solve_outcome&)> on_solved;  ///< Whoever asked for it.
+  /// Less is taken than the server sends.
+  std::function<void(const backlog&)> on_backlog;
 };
 
 }  // namespace tedit::client

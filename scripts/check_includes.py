@@ -21,6 +21,7 @@ OPENCASCADE = ("BRep", "GProp_", "IGES", "Interface_", "NCollection_", "Quantity
 ROOMS = {
     "base": ((), ("tl/", "xxhash.h")),
     "base/logging": (("base",), ("spdlog/", "fmt/")),
+    "base/tracing": (("base/logging", "base"), ("nlohmann/",)),
     "sandbox": (("base",), ("seccomp.h",)),
     "certs": (("base",), ("openssl/",)),
     "tls": (("certs", "base"), ("boost/", "openssl/")),
@@ -77,12 +78,12 @@ ROOMS = {
     "actors/links": (("certs", "base/logging", "base"), ("caf/", "boost/", "openssl/")),
     "actors/cad": (("actors", "cad", "scan", "protocol", "edit", "ops/sdk", "mesh/io", "mesh", "base"), ("caf/", "nlohmann/")),
     "actors": (
-        ("actors/cad", "actors/links", "base/logging", "sandbox", "decks", "protocol", "compare", "edit", "fem", "fem/native", "ops/loader", "ops/services", "ops/sdk", "mesh/io", "mesh", "base"),
+        ("actors/cad", "actors/links", "base/logging", "base/tracing", "sandbox", "decks", "protocol", "compare", "edit", "fem", "fem/native", "ops/loader", "ops/services", "ops/sdk", "mesh/io", "mesh", "base"),
         ("caf/", "sqlite3.h", "zstd.h", "nlohmann/"),
     ),
-    "actors/node/server.cpp": (("base/logging", "actors/cad", "actors/gateway", "actors", "sandbox", "base"), ("caf/",)),
+    "actors/node/server.cpp": (("base/logging", "base/tracing", "actors/cad", "actors/gateway", "actors", "sandbox", "base"), ("caf/",)),
     "actors/gateway": (
-        ("base/logging", "tls", "actors", "protocol", "compare", "fem", "ops/sdk", "mesh", "base"),
+        ("base/logging", "base/tracing", "tls", "actors", "protocol", "compare", "fem", "ops/sdk", "mesh", "base"),
         ("caf/", "boost/", "google/", "tedit/v1/", "openssl/", "nlohmann/"),
     ),
     "node": (("actors", "fem", *WIRE), ("caf/",)),

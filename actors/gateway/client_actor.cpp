@@ -97,8 +97,10 @@ void client_state::running_request::cancel() const {
 }
 
 void client_state::on_closed() {
-  running_requests().add(-static_cast<double>(timed.size()));
-  timed.clear();
+  running_requests().add(-static_cast<double>(asked.size()));
+  for (auto& [id, one] : asked)
+    one.span.fail("the connection ended");
+  asked.clear();
   // What runs for this client alone is ended; what it has committed stays.
   for (const auto& [id, request] : requests)
     request.cancel();
@@ -114,23 +116,31 @@ metrics::gauge& running_requests() {
 }
 
 void client_state::end(std::uint64_t id) {
-  requests.erase(id);
-  if (const auto found = timed.extract(id)) {
+  if (const auto request = requests.extract(id))
+    tracing::unbind(request.mapped().ticket);
+  if (const auto found = asked.extract(id)) {
     running_requests().add(-1);
-    const auto& [counted, since] = found.mapped();
-    counted->note(std::chrono::steady_clock::now() - since);
+    found.mapped().counted->note(std::chrono::steady_clock::now() - found.mapped().since);
   }
 }
 
+void client_state::note_failure(std::uint64_t id, const std::string& code) {
+  if (const auto found = asked.find(id); found != asked.end())
+    found->second.span.fail(code);
+}
+
 void client_state::answer(std::uint64_t id, v1::ServerMessage message) {
-  end(id);
-  if (message.has_error())
+  if (message.has_error()) {
     count_refusal(message.error().code());
+    note_failure(id, message.error().code());
+  }
+  end(id);
   message.set_request_id(id);
   send(*to, message);
 }
 
 void client_state::refuse(std::uint64_t id, const error& e) {
+  note_failure(id, std::string(code_name(e.code)));
   end(id);
   reject(id, e);
 }
@@ -189,6 +199,8 @@ std::uint64_t client_state::begin(std::uint64_t id, const actors::session_actor&
   static std::atomic<std::uint64_t> last{0};
   const auto ticket = ++last;
   requests[id] = {ticket, session};
+  if (const auto found = asked.find(id); found != asked.end())
+    tracing::bind(ticket, found->second.span.here());
   return ticket;
 }
 
@@ -196,6 +208,8 @@ std::uint64_t client_state::begin(std::uint64_t id, const actors::session_actor&
 
 /// An answer that repeats an earlier one moves nothing: others may have gone on since.
 void client_state::answer_head(std::uint64_t id, const actors::head_moved& moved) {
+  if (const auto found = asked.find(id); found != asked.end())
+    found->second.span.note("tedit.version", to_hex(moved.head.id));
   v1::ServerMessage message;
   to_message(moved, message.mutable_committed());
   answer(id, std::move(message));

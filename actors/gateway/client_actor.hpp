@@ -18,6 +18,7 @@
 #include "actors/gateway/uploads.hpp"
 #include "actors/interfaces.hpp"
 #include "base/metrics.hpp"
+#include "base/tracing/tracing.hpp"
 #include "mesh/formats.hpp"
 
 namespace tedit::gateway {
@@ -94,6 +95,13 @@ struct client_state {
   struct sent_file {
     std::vector<page_ptr> pages;
     std::shared_ptr<const void> held;  ///< Keeps them on the account of this client.
+  };
+
+  /// A request from its coming to its answer.
+  struct unanswered {
+    metrics::times* counted = nullptr;
+    std::chrono::steady_clock::time_point since = std::chrono::steady_clock::now();
+    tracing::span span;
   };
 
   struct running_request {
@@ -173,7 +181,9 @@ struct client_state {
     return {client_name, body.edit_id(), body.expected_version()};
   }
   void end(std::uint64_t id);
-  /// From here on it is counted how long the answer takes.
+  /// Whatever the answer is, its trace has what went wrong.
+  void note_failure(std::uint64_t id, const std::string& code);
+  /// From here on it is counted and traced how long the answer takes.
   void note_begin(std::uint64_t id, const v1::ClientMessage& message);
 
   client_pointer self = nullptr;
@@ -192,8 +202,7 @@ struct client_state {
   std::deque<waiting_export> exports;            ///< Not begun.
   unsigned exporting = 0;                        ///< Begun, and not written yet.
   std::map<std::uint64_t, running_request> requests;
-  /// When each that is not answered was asked, and where that is counted.
-  std::map<std::uint64_t, std::pair<metrics::times*, std::chrono::steady_clock::time_point>> timed;
+  std::map<std::uint64_t, unanswered> asked;
   std::uint64_t previewing = 0;  ///< Ticket of the newest PreviewEdit; answered or not.
 
   static inline const char* name = "client";

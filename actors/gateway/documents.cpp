@@ -60,12 +60,32 @@ expected<solve_request> read_solve(const v1::Solve& body) {
 /// A large document is read as long as it takes.
 constexpr std::chrono::minutes opening_limit{10};
 
+/// What the client holds from an earlier connection is sent no second time: once that version is at
+/// hand, the difference to it follows. Where it is not, or a new head was quicker, the whole does.
+void resume_surface(client_state& client, const std::string& name, const std::string& held) {
+  const auto& document = client.documents.at(name);
+  const auto go_on = [=, &client, session = document.session](const version_ptr& mesh) {
+    const auto found = client.look_up(name);
+    if (found == client.documents.end() || found->second.session != session)
+      return;
+    if (mesh && found->second.surface.is_empty())
+      found->second.surface.resume(mesh);
+    client.want_surface(found->first, found->second.head);
+  };
+  if (document.head && held == to_hex(document.head->id()))
+    return go_on(document.head);
+  client.self->request(document.session, short_limit, version_request{0, held})
+    .then([=](const session_version& version) { go_on(version.mesh); },
+          [=](const caf::error&) { go_on(nullptr); });
+}
+
 /// A session that nobody has open may end while its name is on the way here: then the document is
 /// asked for again.
 void open_document(client_state& client, std::uint64_t id, const v1::OpenDocument& body,
                    int retries) {
   const bool surface = body.watch_surface();
   const bool fields = body.watch_fields();
+  const auto held = surface ? body.held_version_id() : std::string();
   const auto failed = [=, &client](const caf::error& e) {
     client.refuse(id, e, "opening the document");
   };
@@ -98,7 +118,10 @@ void open_document(client_state& client, std::uint64_t id, const v1::OpenDocumen
       to_message(who, state->add_participants());
     state->set_participant(snapshot.own_participant);
     client.answer(id, std::move(message));
-    client.want_surface(snapshot.document, snapshot.version);
+    if (held.empty() || !snapshot.version)
+      client.want_surface(snapshot.document, snapshot.version);
+    else
+      resume_surface(client, snapshot.document, held);
   };
   const auto found = [=, &client](const opened_document& opened) {
     const auto session = caf::actor_cast<session_actor>(opened.session);

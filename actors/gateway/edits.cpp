@@ -50,7 +50,7 @@ void move_head(client_state& client, std::uint64_t id, const Body& body, move_re
   const auto* document = client.find(id, body.document());
   if (!document)
     return;
-  client.begin(id, {});
+  request.ticket = client.begin(id, {});
   request.terms = client.terms_of(body);
   request.client = caf::actor_cast<caf::actor>(client.self);
   client.self->request(document->session, answer_limit, std::move(request))

@@ -34,6 +34,15 @@ public:
     caf::anon_send(client_, std::move(bytes));
   }
   void on_drained() override { caf::anon_send(client_, drained_atom::value); }
+  frame on_backlog(std::size_t waiting, std::size_t most, std::chrono::milliseconds rest) override {
+    logging::info("client {}: does not take {} bytes", peer_, waiting);
+    v1::ServerMessage message;
+    auto* notice = message.mutable_backlog_notice();
+    notice->set_waiting_bytes(waiting);
+    notice->set_most_bytes(most);
+    notice->set_closes_after_s(std::chrono::duration<double>(rest).count());
+    return std::make_shared<const std::string>(message.SerializeAsString());
+  }
   void on_closed(const std::string& reason) override {
     logging::info("client {}: gone: {}", peer_, reason);
     caf::anon_send(client_, closed_atom::value);

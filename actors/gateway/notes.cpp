@@ -34,7 +34,11 @@ expected<watched_quantities> read_quantities(const v1::WatchFields& body) {
 template <class Actor, class Request>
 void carry_out(client_state& client, std::uint64_t id, const Actor& whom, Request request,
                const char* what) {
-  client.begin(id, {});
+  const auto ticket = client.begin(id, {});
+  if constexpr (requires { request.ticket; }) {
+    request.ticket = ticket;
+    request.client = caf::actor_cast<caf::actor>(client.self);
+  }
   client.self->request(whom, answer_limit, std::move(request))
     .then(
       [=, &client](acknowledged) {

@@ -168,8 +168,17 @@ void client_state::note_begin(std::uint64_t id, const v1::ClientMessage& message
     message, message.GetDescriptor()->FindOneofByName("body"));
   auto& counted = metrics::times_of(
     "tedit_request_seconds", "From a request to its answer, by kind.", {{"kind", kind->name()}});
-  if (timed.try_emplace(id, &counted, std::chrono::steady_clock::now()).second)
-    running_requests().add(1);
+  const auto [at, is_new] = asked.try_emplace(id);
+  if (!is_new)
+    return;
+  running_requests().add(1);
+  at->second.counted = &counted;
+  at->second.span = tracing::begin_request(kind->name(), message.traceparent());
+  at->second.span.note("tedit.request_id", static_cast<std::int64_t>(id));
+  const auto& body = message.GetReflection()->GetMessage(message, kind);
+  const auto* document = body.GetDescriptor()->FindFieldByName("document");
+  if (document && tracing::is_on())
+    at->second.span.note("tedit.document", body.GetReflection()->GetString(body, document));
 }
 
 void client_state::dispatch(std::uint64_t id, const v1::ClientMessage& message) {

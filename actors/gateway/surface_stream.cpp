@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "actors/gateway/client_actor.hpp"
 #include "fem/fields.hpp"
@@ -199,7 +200,8 @@ std::vector<vertex_id> write_whole(const mesh_version& mesh, bulk& result,
 
 std::optional<bulk> surface_stream::update_to(const std::string& document,
                                               const version_ptr& mesh) {
-  if (held_ && held_->id() == mesh->id())
+  const bool says_so = std::exchange(resumed_, false);
+  if (held_ && held_->id() == mesh->id() && !says_so)
     return std::nullopt;
   if (!held_) {
     held_ = mesh;
@@ -215,6 +217,13 @@ std::optional<bulk> surface_stream::update_to(const std::string& document,
                 [&](vertex_id v) { return v >= mesh->vertex_slots() || !mesh->is_live_vertex(v); });
   held_ = mesh;
   return result;
+}
+
+void surface_stream::resume(const version_ptr& held) {
+  const auto boundary = boundary_vertices(*held);
+  vertices_ = {boundary.begin(), boundary.end()};
+  held_ = held;
+  resumed_ = true;
 }
 
 bulk surface_stream::whole(const std::string& document, const mesh_version& mesh) {

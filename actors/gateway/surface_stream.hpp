@@ -26,9 +26,15 @@ using watched_quantities = std::set<std::string, std::less<>>;
 class surface_stream {
 public:
   /// The update from what the client holds to `mesh`; the whole surface when it holds nothing.
-  /// Nothing when it holds `mesh` already. Cost: O(changed pages) for differences, else
-  /// O(boundary).
+  /// Nothing when it holds `mesh` already, unless it was `resumed`: then an empty one says so.
+  /// Cost: O(changed pages) for differences, else O(boundary).
   [[nodiscard]] std::optional<bulk> update_to(const std::string& document, const version_ptr& mesh);
+
+  /// The client holds the surface of this version from an earlier connection. @pre nothing was sent
+  /// yet. Cost: O(boundary).
+  void resume(const version_ptr& held);
+
+  [[nodiscard]] bool is_empty() const { return !held_; }
 
   /// The answer EditPreview with the difference from its base, which the client holds or is not
   /// interested in. What the client holds stays. Cost: as a difference, and O(boundary) for a
@@ -48,6 +54,7 @@ private:
   bulk whole(const std::string& document, const mesh_version& mesh);
 
   version_ptr held_;
+  bool resumed_ = false;                    ///< And nothing was sent since.
   std::unordered_set<vertex_id> vertices_;  ///< Of `held_`; the client has their positions.
 };
 

@@ -69,6 +69,15 @@ public:
   /// The queue fell below `low_water` after having been at or above it.
   virtual void on_drained() = 0;
 
+  /// More than `most` bytes wait, and the connection will be closed after `rest` unless the client
+  /// takes some. What this returns, if anything, is sent before all that waits.
+  virtual frame on_backlog(std::size_t waiting, std::size_t most, std::chrono::milliseconds rest) {
+    static_cast<void>(waiting);
+    static_cast<void>(most);
+    static_cast<void>(rest);
+    return nullptr;
+  }
+
   /// The connection is gone; `reason` is a sentence for the log, led by the close code if this side
   /// closed. The last call: the handler is destroyed afterwards.
   virtual void on_closed(const std::string& reason) = 0;

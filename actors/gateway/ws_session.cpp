@@ -71,6 +71,7 @@ private:
   void on_tick();
   void check_life(steady::time_point now);
   void check_queue(steady::time_point now);
+  void warn_of_backlog();
   void end(ending why);
   void begin_close(std::uint16_t code, const std::string& reason, bool drop_queue);
   void send_close();
@@ -363,10 +364,26 @@ void ws_session::check_life(steady::time_point now) {
 void ws_session::check_queue(steady::time_point now) {
   if (queued_ <= limits().max_queue)
     over_since_.reset();
-  else if (!over_since_)
+  else if (!over_since_) {
     over_since_ = now;
-  else if (now - *over_since_ > limits().slow_client)
+    warn_of_backlog();
+  } else if (now - *over_since_ > limits().slow_client)
     begin_close(1013, "the client reads too slowly", true);
+}
+
+/// Behind the message of which a piece may be out already.
+void ws_session::warn_of_backlog() {
+  if (closing_)
+    return;
+  frame notice;
+  call_handler([&](connection_handler& h) {
+    notice = h.on_backlog(queued_, limits().max_queue, limits().slow_client);
+  });
+  if (!notice || closing_)
+    return;
+  queued_ += notice->size();
+  const bool begun = !queue_.empty() && (writing_ || sent_of_front_ > 0);
+  queue_.insert(queue_.begin() + (begun ? 1 : 0), std::move(notice));
 }
 
 // -- the end

@@ -24,6 +24,7 @@
 #include "base/child_process.hpp"
 #include "base/logging/logging.hpp"
 #include "base/metrics.hpp"
+#include "base/tracing/tracing.hpp"
 #include "sandbox/sandbox.hpp"
 
 namespace tedit {
@@ -251,6 +252,9 @@ expected<std::unique_ptr<server>> server::start(const server_options& options) {
     return fail(ready.error());
   for (const auto& news : *ready)
     logging::warn("{}", news);
+  if (!options.traces.empty())
+    if (auto ok = tracing::start(options.traces, "tedit", TEDIT_VERSION); !ok)
+      return fail(ok.error());
   auto made = std::make_unique<impl>(options.worker_processes);
   auto& system = made->system;
   auto cache = std::make_shared<page_cache>(cache_bytes);

@@ -71,6 +71,7 @@ struct server_options {
   std::uint64_t result_bytes = std::uint64_t{512} << 20;
   /// Bytes of versions other than the heads of open documents that are kept for undo.
   std::uint64_t version_bytes = std::uint64_t{512} << 20;
+  std::filesystem::path traces;  ///< Where the spans of requests go; empty: nowhere.
 };
 
 /// The whole server: gateway, hub, sessions, page store, workers or their pools. It runs on threads

@@ -21,13 +21,8 @@ error cancelled_edit() {
 void session_state::make_candidate(const std::shared_ptr<candidate_run>& run) {
   const auto& request = run->request;
   const auto job = new_job(request.ticket, request.client);
-  edit_order order{base_order(request.client),
-                   make_ref(run->base),
-                   wire_value(request.wanted),
-                   run->preview,
-                   run->find_most,
-                   parts.document,
-                   request.terms.client};
+  edit_order order{base_order(job), make_ref(run->base), wire_value(request.wanted), run->preview,
+                   run->find_most,  parts.document,      request.terms.client};
   run->cancel_job = [=, this] { caf::anon_send(parts.workers.modeling, cancel_atom::value, job); };
   self->request(parts.workers.modeling, answer_limit, job, std::move(order))
     .then(
@@ -61,8 +56,12 @@ void session_state::check_candidate(const std::shared_ptr<candidate_run>& run,
   if (run->cancelled)
     return run->refuse(cancelled_edit());
   const auto job = new_job(run->request.ticket, run->request.client);
-  check_order order{base_order(run->request.client), make_ref(run->base),         candidate,
-                    wire_value(run->request.wanted), wire_value(run->load_cases), run->preview};
+  check_order order{base_order(job),
+                    make_ref(run->base),
+                    candidate,
+                    wire_value(run->request.wanted),
+                    wire_value(run->load_cases),
+                    run->preview};
   order.candidate.source = nullptr;
   run->cancel_job = [=, this] { caf::anon_send(parts.workers.optimizer, cancel_atom::value, job); };
   self->request(parts.workers.optimizer, answer_limit, job, std::move(order))

@@ -104,7 +104,7 @@ caf::result<head_moved> session_state::import(const import_request& request) {
   run->request = request;
   run->asked = asked_by(request);
   run->promise = self->make_response_promise<head_moved>();
-  enqueue({request.ticket, [=, this] { begin_import(run); },
+  enqueue({request.ticket, request.client, [=, this] { begin_import(run); },
            [=](const error& e) { run->promise.deliver(to_caf(e)); }});
   return run->promise;
 }
@@ -122,8 +122,7 @@ void session_state::begin_import(const std::shared_ptr<import_run>& run) {
     finish_command();
   };
   self->send(parts.store, wake_atom::value);
-  import_order order{
-    base_order(request.client), {}, request.size, request.file_name, request.length_unit};
+  import_order order{base_order(job), {}, request.size, request.file_name, request.length_unit};
   for (const auto& p : request.file) {
     parts.cache->put(p);
     order.file.push_back(p->id());
@@ -163,7 +162,7 @@ caf::result<head_moved> session_state::edit(const apply_request& request) {
   run->request = request;
   run->asked = asked_by(request);
   run->promise = self->make_response_promise<head_moved>();
-  enqueue({request.ticket, [=, this] { begin_edit(run); },
+  enqueue({request.ticket, request.client, [=, this] { begin_edit(run); },
            [=](const error& e) { run->promise.deliver(to_caf(e)); }});
   return run->promise;
 }
@@ -286,6 +285,7 @@ void session_state::show_head(const past_change& made, double commit_ms, head_wa
   numbers::heads_moved(made.what).add();
   past.add(made);
   last_preview.reset();
+  head_trace = running ? tracing::of(running->ticket) : tracing::context{};
   auto moved = describe(*graph.head(), made.what);
   moved.commit_ms = commit_ms;
   moved.warnings = made.warnings;
@@ -311,7 +311,7 @@ head_moved session_state::describe(const graph_node& node, const std::string& ca
 
 caf::result<head_moved> session_state::move(const move_request& request) {
   auto promise = self->make_response_promise<head_moved>();
-  enqueue({0, [=, this] { begin_move(request, promise); },
+  enqueue({request.ticket, request.client, [=, this] { begin_move(request, promise); },
            [=](const error& e) mutable { promise.deliver(to_caf(e)); }});
   return promise;
 }
@@ -399,9 +399,13 @@ void session_state::write_version(
     loads = std::move(*chosen);
   }
   const auto job = new_job(request.ticket, request.client);
-  export_order order{
-    base_order(request.client),  make_ref(mesh), {}, {}, request.format, request.length_unit,
-    wire_value(std::move(loads))};
+  export_order order{base_order(job),
+                     make_ref(mesh),
+                     {},
+                     {},
+                     request.format,
+                     request.length_unit,
+                     wire_value(std::move(loads))};
   const auto file_name =
     parts.document + "_v" + std::to_string(node.info.number) + "." + request.format;
   const auto* result = result_of(node);
@@ -460,9 +464,8 @@ caf::result<selected> session_state::select(const select_request& request) {
   const auto job = new_job(request.ticket, request.client);
   const auto version = to_hex(head->info.id);
   self
-    ->request(
-      parts.workers.modeling, answer_limit, job,
-      select_order{base_order(request.client), make_ref(head->mesh), wire_value(request.query)})
+    ->request(parts.workers.modeling, answer_limit, job,
+              select_order{base_order(job), make_ref(head->mesh), wire_value(request.query)})
     .then(
       [=, this](const select_result& result) {
         progress_of.erase(job);

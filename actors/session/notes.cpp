@@ -201,7 +201,7 @@ caf::result<acknowledged> session_state::note(const note_request& request) {
       },
       end);
   };
-  enqueue({0, begin, refuse});
+  enqueue({request.ticket, request.client, begin, refuse});
   return *promise;
 }
 

@@ -15,6 +15,12 @@ namespace tedit::actors {
 
 namespace {
 
+using queue_atom = caf::atom_constant<caf::atom("queue")>;
+
+/// From a change's coming until its client hears that it waits; what is quick needs no words.
+constexpr std::chrono::milliseconds first_note{400};
+constexpr std::chrono::milliseconds later_notes{1000};
+
 /// What jobs are told as their listener: passes on their notes and nothing else.
 caf::behavior make_ear(caf::event_based_actor* self, const caf::actor_addr& session) {
   heed_only_own_exits(self);
@@ -119,16 +125,19 @@ session_history session_state::history(const history_request& request) const {
 }
 
 caf::result<session_version> session_state::version(const version_request& request) {
-  if (request.number >= graph.nodes().size())
-    return to_caf({ec::not_found,
-                   "there is no version " + std::to_string(request.number),
-                   "The history lists those that there are",
-                   {}});
+  const auto* named = request.id.empty() ? nullptr : graph.find(request.id);
+  const auto number = named ? named->info.number : request.number;
+  if ((!named && !request.id.empty()) || number >= graph.nodes().size())
+    return to_caf(
+      {ec::not_found,
+       "there is no version " + (request.id.empty() ? std::to_string(request.number) : request.id),
+       "The history lists those that there are",
+       {}});
   const auto promise = std::make_shared<caf::typed_response_promise<session_version>>(
     self->make_response_promise<session_version>());
   with_mesh(
-    request.number,
-    [=, this, number = request.number](const version_ptr& mesh) {
+    number,
+    [=, this](const version_ptr& mesh) {
       promise->deliver(session_version{parts.document, number, mesh});
     },
     [=](const error& e) { promise->deliver(to_caf(e)); });
@@ -186,9 +195,31 @@ caf::result<shared_remains> session_state::end() {
 
 void session_state::enqueue(command c) {
   end_previews({ec::superseded, "the document is being changed", {}, {}});
+  c.stage = tracing::begin_part("queue", tracing::of(c.ticket));
   waiting.push_back(std::move(c));
   if (!running)
     next_command();
+  else if (waiting.size() == 1)
+    look_at_queue_after(first_note);
+}
+
+void session_state::look_at_queue_after(std::chrono::milliseconds wait) {
+  caf::delayed_anon_send(caf::actor_cast<caf::actor>(self), wait, queue_atom::value, ++queue_looks);
+}
+
+void session_state::tell_queue(std::uint64_t number) {
+  if (number != queue_looks || waiting.empty())
+    return;
+  std::size_t before = 1;  // The one that runs.
+  for (const auto& c : waiting) {
+    if (c.client)
+      caf::anon_send(c.client,
+                     request_progress{c.ticket, 0,
+                                      "waiting for " + std::to_string(before) + " change" +
+                                        (before == 1 ? "" : "s") + " of this document before it"});
+    ++before;
+  }
+  look_at_queue_after(later_notes);
 }
 
 void session_state::next_command() {
@@ -196,6 +227,7 @@ void session_state::next_command() {
     return;
   auto c = std::move(waiting.front());
   waiting.pop_front();
+  c.stage.end();
   running = running_command{c.ticket, false, {}};
   c.start();
 }
@@ -241,8 +273,10 @@ job_id session_state::new_job(std::uint64_t ticket, const caf::actor& client) {
   return job;
 }
 
-order_base session_state::base_order(const caf::actor& client) const {
-  return {caf::actor_cast<caf::actor>(parts.pages), ear, client ? client.id() : 0};
+order_base session_state::base_order(job_id job) const {
+  const auto& [ticket, client] = progress_of.at(job);
+  return {caf::actor_cast<caf::actor>(parts.pages), ear, client ? client.id() : 0,
+          ticket != 0 ? tracing::of(ticket) : head_trace};
 }
 
 void session_state::on_progress(const job_progress& note) {
@@ -258,10 +292,21 @@ void session_state::commit(store::change change, const std::function<void(double
   if (running)
     running->cancel_job = nullptr;
   const stopwatch clock;
+  const auto stage = std::make_shared<tracing::span>(
+    tracing::begin_part("commit", running ? tracing::of(running->ticket) : tracing::context{}));
   auto shared = std::make_shared<const store::change>(std::move(change));
   self->request(parts.store, std::chrono::minutes(5), stored_change{shared})
-    .then([=](acknowledged) { done(clock.milliseconds()); },
-          [=](const caf::error& e) { failed(from_caf(e, "storing the document")); });
+    .then(
+      [=](acknowledged) {
+        stage->end();
+        done(clock.milliseconds());
+      },
+      [=](const caf::error& e) {
+        const auto why = from_caf(e, "storing the document");
+        stage->fail(why.message);
+        stage->end();
+        failed(why);
+      });
 }
 
 void session_state::pull(const caf::actor& source, const hash_list& ids,
@@ -287,7 +332,8 @@ session_actor::behavior_type make_session(session_pointer self, session_parts pa
       auto message = view.move_content_to_message();
       message.apply({[&](const job_progress& note) { self->state.on_progress(note); },
                      [&](const job_frame& frame) { self->state.on_frame(frame); },
-                     [&](const job_preview& preview) { self->state.on_preview(preview); }});
+                     [&](const job_preview& preview) { self->state.on_preview(preview); },
+                     [&](queue_atom, std::uint64_t number) { self->state.tell_queue(number); }});
       return caf::message{};
     });
   heed_only_own_exits(self);

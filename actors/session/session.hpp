@@ -19,6 +19,7 @@
 #include "actors/session/version_graph.hpp"
 #include "actors/worker/job_thread.hpp"
 #include "base/stopwatch.hpp"
+#include "base/tracing/tracing.hpp"
 
 namespace tedit::actors {
 
@@ -68,8 +69,10 @@ struct session_state {
   /// Something that changes the document. One at a time, in the order of arrival.
   struct command {
     std::uint64_t ticket = 0;
+    caf::actor client;  ///< Who asks, or null.
     std::function<void()> start;
     std::function<void(const error&)> refuse;
+    tracing::span stage = {};  ///< That it waits.
   };
 
   /// The command that runs.
@@ -159,6 +162,10 @@ struct session_state {
   void enqueue(command c);
   void next_command();
   void finish_command();
+  /// Calls for the next look at what waits.
+  void look_at_queue_after(std::chrono::milliseconds wait);
+  /// Tells those who wait how many changes go before theirs.
+  void tell_queue(std::uint64_t number);
   void on_progress(const job_progress& note);
   /// Tells all subscribers; not those who hear it as an answer.
   template <class Event>
@@ -171,8 +178,8 @@ struct session_state {
             const std::function<void(const page_set&)>& done,
             const std::function<void(const error&)>& failed);
   job_id new_job(std::uint64_t ticket, const caf::actor& client);
-  /// `client`: who asks, or null.
-  [[nodiscard]] order_base base_order(const caf::actor& client) const;
+  /// Of a job that nobody asked for it is traced as a part of what moved the head.
+  [[nodiscard]] order_base base_order(job_id job) const;
 
   // -- edits.cpp ------------------------------------------------------------------------------
 
@@ -294,7 +301,7 @@ struct session_state {
   [[nodiscard]] expected<load_case_list> chosen_cases(const solve_request& request,
                                                       std::vector<std::string>& names) const;
   void keep_result(kept_result result);
-  void launch(active_solve next, const order_base& base);
+  void launch(active_solve next);
   /// Ends the wait of one request; whether there was one. The solve goes on for others that wait,
   /// and when it follows a head by itself; else it ends, and the following with it.
   bool leave_solve(std::uint64_t ticket);
@@ -381,6 +388,8 @@ struct session_state {
   std::uint64_t participants_so_far = 0;
   std::deque<command> waiting;
   std::optional<running_command> running;
+  std::uint64_t queue_looks = 0;  ///< Called for by `look_at_queue_after`.
+  tracing::context head_trace;    ///< Of the request that made this version the head.
   std::map<std::uint64_t, std::shared_ptr<preview_run>> previews;  ///< By ticket.
   std::shared_ptr<const kept_candidate> last_preview;  ///< Of the head; none once that is another.
   std::map<job_id, std::pair<std::uint64_t, caf::actor>> progress_of;

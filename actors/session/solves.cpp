@@ -143,14 +143,16 @@ void session_state::start_solve(const solve_request& request,
   }
   end_active_solve(ec::superseded, "a newer version is the head", solve_phase::superseded);
   next.job = new_job(request.ticket, request.client);
-  launch(std::move(next), base_order(request.client));
+  launch(std::move(next));
 }
 
-void session_state::launch(active_solve next, const order_base& base) {
+void session_state::launch(active_solve next) {
   const auto job = next.job;
   active = std::move(next);
   tell(*active, solve_phase::started);
-  self->request(parts.workers.solver, answer_limit, job, order_of(active->key, active->mesh, base))
+  self
+    ->request(parts.workers.solver, answer_limit, job,
+              order_of(active->key, active->mesh, base_order(job)))
     .then([=, this](const solve_result& result) { receive_result(job, result); },
           [=, this](const caf::error& e) { fail_solve(job, from_caf(e, "the solve")); });
 }
@@ -302,7 +304,7 @@ void session_state::retry_solve(job_id job, const error& e) {
   auto again = std::move(*active);
   const auto [ticket, client] = std::move(progress_of.extract(job).mapped());
   again.job = new_job(ticket, client);
-  launch(std::move(again), base_order(client));
+  launch(std::move(again));
 }
 
 void session_state::on_preview(const job_preview& preview) {

@@ -120,6 +120,7 @@ void pool_state::dispatch() {
     c->work = std::move(next);
     c->work_began = now();
     c->work->deadline = now() + limit_of(*c->work);
+    begin_stage(*c->work, "work", c);
     wake();
     c->work->send(c->worker, c->work->deaths);
   }

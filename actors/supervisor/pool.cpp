@@ -96,10 +96,22 @@ void pool_state::add(job j) {
   if (nobody_comes())
     return j.refuse(no_worker());
   j.came = now();
+  begin_stage(j, "wait");
   waiting.push_back(std::move(j));
   wake();
   dispatch();
   make_way();
+}
+
+void pool_state::begin_stage(job& j, const std::string& what, const child* by) const {
+  j.stage = tracing::begin_part(name_of(options.role) + " " + what, j.trace);
+  if (!by)
+    return;
+  j.stage.note("tedit.worker", by->line->name());
+  if (j.deaths > 0)
+    j.stage.note("tedit.attempt", j.deaths + 1);
+  if (!j.edit.operation.empty())
+    j.stage.note("tedit.operation", j.edit.operation);
 }
 
 void pool_state::make_way() {
@@ -156,6 +168,8 @@ void pool_state::complete(job_id id, bool done) {
     const auto seconds = std::chrono::duration<double>(took).count();
     c->costs.note(c->work->needs.cost, seconds);
     costs.note(c->work->needs.cost, seconds);
+  } else {
+    c->work->stage.fail("refused");
   }
   c->work.reset();
   ++c->jobs_done;
@@ -271,6 +285,7 @@ void pool_state::blame(const job& work, const std::string& how) {
 
 void pool_state::try_again(job work, const std::string& how) {
   ++work.deaths;
+  work.stage.fail("the worker " + how);
   numbers->retries.add();
   forgive(work);
   if (work.cancelled)
@@ -279,6 +294,7 @@ void pool_state::try_again(job work, const std::string& how) {
   const bool misdeed = is_misdeed(how);
   if (!misdeed && work.deaths <= (is_preview(work) ? 1 : options.retries)) {
     work.place.again = true;
+    begin_stage(work, "wait");
     return waiting.push_front(std::move(work));
   }
   blame(work, how);

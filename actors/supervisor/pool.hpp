@@ -21,6 +21,7 @@
 #include "actors/supervisor/turns.hpp"
 #include "actors/supervisor/worker_processes.hpp"
 #include "base/metrics.hpp"
+#include "base/tracing/tracing.hpp"
 
 namespace tedit::actors {
 
@@ -129,6 +130,8 @@ struct pool_state {
     bool cancelled = false;
     bool superseded = false;     ///< Ended for other work.
     clock::time_point deadline;  ///< Once it runs.
+    tracing::context trace;      ///< Of the request that it is for.
+    tracing::span stage;         ///< That it waits, and then that it runs.
   };
 
   /// A worker, starting, idle or with a job: a process of ours, or one that joined from elsewhere.
@@ -168,6 +171,8 @@ struct pool_state {
   void ask(question q);
   /// Takes a job; it is sent as soon as a worker is free.
   void add(job j);
+  /// From here on it waits, or runs: a span of its trace each.
+  void begin_stage(job& j, const std::string& what, const child* by = nullptr) const;
   void cancel(job_id id);
   /// Whether this attempt at a job still runs.
   [[nodiscard]] bool is_current(job_id id, int attempt);

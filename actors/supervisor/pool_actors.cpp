@@ -32,6 +32,7 @@ auto job_handler(pool_pointer<Role> self) {
     const auto& listener = order.base.listener;
     job.listener = listener;
     job.place = {urgency::edit, order.base.client, listener ? listener.id() : 0};
+    job.trace = order.base.trace;
     if constexpr (std::is_same_v<Order, export_order>)
       job.place.what = urgency::file;
     if constexpr (requires { order.preview; })

@@ -31,6 +31,13 @@ document::document(remote& link, QObject* parent)
   connect(&link_, &remote::renamed, this, &document::take_name);
   connect(&link_, &remote::participant_changed, this,
           [this](const client::participant& who, bool gone) { take(who, gone); });
+  connect(&link_, &remote::fell_behind, this, [this](const client::backlog& what) {
+    constexpr double megabyte = 1e6;
+    emit warned(tr("The connection is slow: %1 MB wait for this computer. If that does not change "
+                   "the server ends it in %2 s; it is made anew then.")
+                  .arg(static_cast<double>(what.waiting_bytes) / megabyte, 0, 'f', 0)
+                  .arg(what.closes_after_s, 0, 'f', 0));
+  });
   connect(&link_, &remote::annotated, this, [this](const client::version_info& info) {
     if (versions_.take_annotation(info))
       emit history_changed();

@@ -127,26 +127,28 @@ void file_requests::rename(const QString& name, std::function<void(const expecte
 /// A document that was being renamed when its server went has one of the two names.
 expected<client::document_state> file_requests::open_named(client::client& server,
                                                            const std::string& name,
-                                                           const std::string& or_else) {
-  auto state = server.open(name, true, true);
+                                                           const std::string& or_else,
+                                                           const client::surface_model& held) {
+  auto state = server.open(name, true, true, held);
   if (!state || state->head || or_else.empty())
     return state;
-  return server.open(or_else, true, true);
+  return server.open(or_else, true, true, held);
 }
 
-/// Also when a lost connection is back: the server sends the whole surface again.
+/// Also when a lost connection is back: the server sends what has changed since.
 void file_requests::reopen() {
   part_.load_catalogue();
   if (!part_.is_open())
     return;
   const QString title = tr("Open %1").arg(part_.name());
   ++order_->last;
+  const auto* head = part_.head();
   part_.foreground().ask<client::document_state>(
     title,
     [name = part_.name().toStdString(), or_else = std::exchange(asked_name_, {}).toStdString(),
-     order = order_](client::client& c, const execution&) {
+     held = head ? head->surface : nullptr, order = order_](client::client& c, const execution&) {
       const std::lock_guard lock(order->one_at_a_time);
-      return open_named(c, name, or_else);
+      return open_named(c, name, or_else, held ? *held : client::surface_model());
     },
     [this, title, mine = part_.opening()](const expected<client::document_state>& got) {
       if (mine != part_.opening())

@@ -93,9 +93,9 @@ private:
   void leave();
   void reopen();
   [[nodiscard]] static expected<ready> look_up(client::client& server, const std::string& name);
-  [[nodiscard]] static expected<client::document_state> open_named(client::client& server,
-                                                                   const std::string& name,
-                                                                   const std::string& or_else);
+  [[nodiscard]] static expected<client::document_state> open_named(
+    client::client& server, const std::string& name, const std::string& or_else,
+    const client::surface_model& held);
   void switch_to(const QString& title, remote::work<ready> prepare,
                  std::function<void()> when_refused = {});
   [[nodiscard]] static expected<std::string> open_empty(client::client& server,

@@ -268,6 +268,9 @@ client::events remote::make_events() {
   handlers.on_renamed = [this, here](const std::string& name) {
     here([this, name = QString::fromStdString(name)] { emit renamed(name); });
   };
+  handlers.on_backlog = [this, here](const client::backlog& what) {
+    here([this, what] { emit fell_behind(what); });
+  };
   handlers.on_solve_status = [this, here](const client::solve_status& status) {
     here([this, status] { emit solve_status(status); });
   };

@@ -111,6 +111,8 @@ signals:
   /// Somebody else opened the document; `gone`: has it open no more.
   void participant_changed(const tedit::client::participant& who, bool gone);
   void renamed(const QString& document);
+  /// The server sends more than comes through.
+  void fell_behind(const tedit::client::backlog& what);
   void solve_status(const tedit::client::solve_status& status);
   void solved(const tedit::solve_outcome& outcome);
 

@@ -9251,6 +9251,30 @@
         <source>a deck with a load case is in metres</source>
         <translation>ein Deck mit einem Lastfall ist in Metern</translation>
     </message>
+    <message>
+        <source>cannot open %1 for spans</source>
+        <translation>%1 lässt sich nicht für Spuren öffnen</translation>
+    </message>
+    <message>
+        <source>cannot rename %1: %2</source>
+        <translation>%1 lässt sich nicht umbenennen: %2</translation>
+    </message>
+    <message>
+        <source>cannot write spans to %1</source>
+        <translation>Spuren lassen sich nicht nach %1 schreiben</translation>
+    </message>
+    <message>
+        <source>the worker %1</source>
+        <translation>der Arbeiter %1</translation>
+    </message>
+    <message>
+        <source>waiting for %1 change of this document before it</source>
+        <translation>wartet auf %1 Änderung dieses Dokuments davor</translation>
+    </message>
+    <message>
+        <source>waiting for %1 changes of this document before it</source>
+        <translation>wartet auf %1 Änderungen dieses Dokuments davor</translation>
+    </message>
 </context>
 <context>
     <name>server_lists</name>
@@ -9859,6 +9883,10 @@ TEdit ist freie Software unter der GNU Affero General Public License, Version 3 
     <message>
         <source>The list of operations did not come: %1</source>
         <translation>Die Liste der Operationen kam nicht an: %1</translation>
+    </message>
+    <message>
+        <source>The connection is slow: %1 MB wait for this computer. If that does not change the server ends it in %2 s; it is made anew then.</source>
+        <translation>Die Verbindung ist langsam: %1 MB warten auf diesen Rechner. Ändert sich das nicht, beendet der Server sie in %2 s; sie wird dann neu aufgebaut.</translation>
     </message>
 </context>
 <context>

@@ -59,6 +59,7 @@ struct log {
   std::vector<std::string> closed;
   std::vector<int> drained;
   std::vector<std::size_t> kept;
+  std::vector<std::size_t> backlogs;
 
   template <class T>
   void update(std::vector<T>& list, std::type_identity_t<T> entry) {
@@ -93,6 +94,11 @@ public:
     connection_->send(std::make_shared<const std::string>(std::move(bytes)));
   }
   void on_drained() override { log_->update(log_->drained, 1); }
+  frame on_backlog(std::size_t waiting, std::size_t most, std::chrono::milliseconds rest) override {
+    log_->update(log_->backlogs, waiting);
+    return std::make_shared<const std::string>("more than " + std::to_string(most) + " for " +
+                                               std::to_string(rest.count()) + " ms");
+  }
   void on_closed(const std::string& reason) override { log_->update(log_->closed, reason); }
 
 private:

@@ -192,6 +192,30 @@ TEST_P(transport_limit, a_slow_reader_is_closed_and_others_go_on) {
   EXPECT_EQ(remote->queued_bytes(), 0u);
 }
 
+TEST_P(transport_limit, who_falls_behind_is_told_before_what_waits) {
+  options.limits.max_queue = mib;
+  start();
+  const auto slow = connect_known(64 << 10);
+  const auto remote = seen->wait(seen->opened);
+  for (const auto& bytes : std::vector(16, make_frame(mib)))
+    remote->send(bytes);
+  EXPECT_GT(seen->wait(seen->backlogs), mib);
+  std::size_t before = 0;
+  std::size_t after = 0;
+  bool told = false;
+  while (before + after < 16) {
+    const auto got = slow->read();
+    ASSERT_TRUE(got);
+    if (*got == "more than 1048576 for 10000 ms")
+      told = true;
+    else
+      ++(told ? after : before);
+  }
+  EXPECT_TRUE(told);
+  EXPECT_LE(before, 4U) << "what was on its way already";
+  EXPECT_EQ(slow->round_trip("ping"), "ping") << "it goes on";
+}
+
 TEST_P(transport_limit, a_reader_that_never_reads_is_cut_off) {
   options.limits.max_queue = mib;
   options.limits.slow_client = 100ms;

@@ -3,6 +3,7 @@
 #include <sqlite3.h>
 
 #include <algorithm>
+#include <mutex>
 #include <string_view>
 
 #include "tests/scenarios/fixture.hpp"
@@ -46,6 +47,85 @@ void expect_same(const std::optional<edit_report>& got, const std::optional<edit
   EXPECT_EQ(got->volume_change, wanted->volume_change);
   EXPECT_EQ(got->receipt.size(), wanted->receipt.size());
   EXPECT_EQ(got->surface_map.size(), wanted->surface_map.size());
+}
+
+/// What a client heard of surfaces.
+struct surfaces_heard {
+  std::mutex mutex;
+  std::vector<client::surface_event> all;
+
+  client::events handlers() {
+    client::events result;
+    result.on_surface = [this](const client::surface_event& event) {
+      const std::lock_guard lock(mutex);
+      all.push_back(event);
+    };
+    return result;
+  }
+};
+
+/// Whoever comes back with a surface of before, also to another server, is sent what has changed.
+TEST(Reopen, WhoHasASurfaceIsSentTheDifferenceToIt) {
+  const scratch_folder folder;
+  auto host = start(options_for(folder, false));
+  client::surface_model held;
+  std::string imported;
+  std::uint64_t whole_bytes = 0;
+  {
+    surfaces_heard heard;
+    auto user = connect(host->url(), heard.handlers());
+    value(user->open("part", true, false));
+    imported = value(user->import_file(plate_mesh, "mm", {})).head.version_id;
+    value(user->wait_surface(imported, patience));
+    held = user->surface();
+    ASSERT_EQ(heard.all.size(), 1U);
+    whole_bytes = heard.all[0].moved.bytes;
+  }
+  const auto other = connect(host->url());
+  value(other->open("part", false, false));
+  const auto edited = value(other->edit("fill_hole", {1, 2}, {}, {})).head.version_id;
+  value(other->close_document());
+  host.reset();
+  host = start(options_for(folder, false));
+
+  surfaces_heard heard;
+  auto back = connect(host->url(), heard.handlers());
+  value(back->open("part", true, false, held));
+  const auto came = value(back->wait_surface(edited, patience));
+  EXPECT_FALSE(came.full);
+  EXPECT_LT(came.moved.bytes, whole_bytes / 20) << whole_bytes;
+  const auto fresh = connect(host->url());
+  value(fresh->open("part", true, false));
+  value(fresh->wait_surface(edited, patience));
+  expect_same(back->surface(), fresh->surface());
+
+  // The head's own surface is not sent at all.
+  auto again = connect(host->url());
+  value(again->open("part", true, false, fresh->surface()));
+  const auto nothing = value(again->wait_surface(edited, patience));
+  EXPECT_FALSE(nothing.full);
+  EXPECT_EQ(nothing.facets_changed + nothing.vertices_sent, 0U);
+  expect_same(again->surface(), fresh->surface());
+}
+
+/// A document of that name may be another one by now.
+TEST(Reopen, WhoHasASurfaceOfAnotherPartIsSentTheWhole) {
+  const scratch_folder folder;
+  const auto host = start(options_for(folder, false));
+  auto user = connect(host->url());
+  value(user->open("cube", true, false));
+  const auto cube = value(user->import_file(test::cube_mesh, "mm", {})).head.version_id;
+  value(user->wait_surface(cube, patience));
+  const auto held = user->surface();
+  value(user->open("plate", true, false));
+  const auto plate = value(user->import_file(plate_mesh, "mm", {})).head.version_id;
+  value(user->wait_surface(plate, patience));
+  const auto wanted = user->surface();
+
+  auto back = connect(host->url());
+  value(back->open("plate", true, false, held));
+  EXPECT_TRUE(value(back->wait_surface(plate, patience)).full);
+  expect_same(back->surface(), wanted);
 }
 
 TEST(Reopen, TheSurfaceOfAnyVersionIsThereWithoutMovingTheHead) {

@@ -162,6 +162,7 @@ struct listener_state {
   std::vector<solved> results;
   std::vector<version_info> cad;
   std::vector<participant_changed> participants;
+  std::vector<request_progress> progress;
   static inline const char* name = "listener";
 };
 using listener_actor = caf::stateful_actor<listener_state>;
@@ -175,7 +176,7 @@ inline caf::behavior make_listener(listener_actor* self, int /*number*/) {
           [](const version_annotated&) {},
           [=](const participant_changed& e) { self->state.participants.push_back(e); },
           [](const document_renamed&) {},
-          [](const request_progress&) {}};
+          [=](const request_progress& e) { self->state.progress.push_back(e); }};
 }
 
 class Session : public States {

@@ -46,6 +46,48 @@ TEST_F(Session, EditsAreMadeOneAfterTheOtherEachOfTheHeadBefore) {
   EXPECT_EQ(second.value().head.parent, 1U);
 }
 
+TEST_F(Session, WhoWaitsForOtherChangesIsToldHowManyAfterAWhile) {
+  import_all();
+  const auto first = edit(.1);
+  const auto second = edit(.2);
+  const auto third = edit(.3);
+  const auto last = tickets_;
+  pass(milliseconds(390));
+  EXPECT_THAT(heard(mine_).progress, IsEmpty()) << "what is quick needs no words";
+  pass(milliseconds(20));
+  ASSERT_EQ(heard(mine_).progress.size(), 2U);
+  EXPECT_EQ(heard(mine_).progress[0].ticket, last - 1);
+  EXPECT_EQ(heard(mine_).progress[0].stage, "waiting for 1 change of this document before it");
+  EXPECT_EQ(heard(mine_).progress[1].ticket, last);
+  EXPECT_EQ(heard(mine_).progress[1].stage, "waiting for 2 changes of this document before it");
+
+  finish({"edit", "check", "commit"});
+  EXPECT_TRUE(first.is_success());
+  pass(milliseconds(1000));
+  ASSERT_EQ(heard(mine_).progress.size(), 3U);
+  EXPECT_EQ(heard(mine_).progress[2].ticket, last);
+  EXPECT_EQ(heard(mine_).progress[2].stage, "waiting for 1 change of this document before it");
+  finish({"edit", "check", "commit", "edit", "check", "commit"});
+  pass(milliseconds(5000));
+  EXPECT_EQ(heard(mine_).progress.size(), 3U);
+  EXPECT_TRUE(second.is_success() && third.is_success());
+}
+
+TEST_F(Session, GivesAVersionByItsId) {
+  import_all();
+  const auto imported = head();
+  const auto got = edit(.1);
+  finish({"edit", "check", "commit"});
+  ASSERT_TRUE(got.is_success());
+  const auto before = request<session_version>(version_request{0, imported});
+  EXPECT_EQ(before.value().number, 0U);
+  EXPECT_EQ(to_hex(before.value().mesh->id()), imported);
+  EXPECT_EQ(request<session_version>(version_request{7, head()}).value().number, 1U);
+  const auto none = request<session_version>(version_request{0, std::string(32, 'a')});
+  EXPECT_EQ(none.refusal().code, ec::not_found);
+  EXPECT_THAT(none.refusal().message, HasSubstr("no version aaaa"));
+}
+
 /// The worker that made it may die before it is checked, and no budget is large enough for all.
 TEST_F(Session, ACandidatesPagesAreHeldUntilItIsChecked) {
   import_all();

@@ -24,7 +24,7 @@ protected:
       : inbox_(handlers_, [this](std::uint64_t, client::incoming_stream data) {
           preview_ = std::move(data);
         }) {
-    inbox_.open("part");
+    inbox_.open("part", {});
     inbox_.opened("part");
   }
 
@@ -173,6 +173,33 @@ TEST_F(SurfaceStream, FirstComesAllAndThenTheDifference) {
   EXPECT_TRUE(simulation::shows(inbox_.surface(), *second));
 }
 
+TEST_F(SurfaceStream, WhoComesBackWithASurfaceGetsTheDifferenceToIt) {
+  const auto first = test::box_mesh({1, 1, 1}, {1, 1, 1});
+  const auto second = simulation::nudged(first, 0, .25);
+  show(first);
+  stream_ = {};  // Another connection.
+  EXPECT_TRUE(stream_.is_empty());
+  stream_.resume(first);
+  EXPECT_FALSE(stream_.is_empty());
+  EXPECT_TRUE(show(second));
+  EXPECT_EQ(last_.surface_update().base_version_id(), to_hex(first->id()));
+  EXPECT_EQ(last_.surface_update().stream().arrays(1).items(), 1U) << "one vertex";
+  EXPECT_TRUE(simulation::shows(inbox_.surface(), *second));
+}
+
+TEST_F(SurfaceStream, WhoComesBackWithTheHeadsIsToldSoOnce) {
+  const auto first = test::box_mesh({1, 1, 1}, {1, 1, 1});
+  show(first);
+  stream_ = {};
+  stream_.resume(first);
+  EXPECT_TRUE(show(first));
+  EXPECT_EQ(last_.surface_update().version_id(), to_hex(first->id()));
+  EXPECT_EQ(last_.surface_update().base_version_id(), to_hex(first->id()));
+  EXPECT_EQ(last_.surface_update().stream().bytes(), 0U);
+  EXPECT_TRUE(simulation::shows(inbox_.surface(), *first));
+  EXPECT_FALSE(show(first));
+}
+
 TEST_F(SurfaceStream, WhatIsPreviewedIsNotHeld) {
   const auto first = test::box_mesh({1, 1, 1}, {1, 1, 1});
   const auto second = simulation::nudged(first, 0, .25);
@@ -193,6 +220,10 @@ TEST_F(SurfaceStream, AfterAnyRunOfVersionsTheClientHoldsTheBoundary) {
     show(made.front());
     auto head = made.front();
     for (int step = 0; step < 60; ++step) {
+      if (random.below(8) == 0) {  // The connection broke.
+        stream_ = {};
+        stream_.resume(head);
+      }
       if (random.below(4) == 0) {
         head = made[random.below(made.size())];
       } else {

@@ -142,6 +142,7 @@ class Link:
         progress: Progress | None = None,
         limit: float | None = None,
         arrived: typing.Callable[[typing.Any], None] | None = None,
+        traceparent: str = "",
     ) -> Answer:
         """Sends a request and gives its answer. Whoever cancels this coroutine cancels the request on the server.
         `arrived` has the answer before any message that comes after it. Raises what the server says, `Timeout` after
@@ -151,7 +152,7 @@ class Link:
         number = next(self._ids)
         request = self._pending[number] = _Pending(progress, arrived)
         try:
-            await self._send(number, kind, body)
+            await self._send(number, kind, body, traceparent)
             return await asyncio.wait_for(request.future, limit)
         except asyncio.TimeoutError:
             await self._cancel(number)
@@ -186,8 +187,8 @@ class Link:
             self._pending.pop(number, None)
             refusal.future.cancel()
 
-    async def _send(self, number: int, kind: str, body: typing.Any) -> None:
-        message = envelope.ClientMessage(request_id=number)
+    async def _send(self, number: int, kind: str, body: typing.Any, traceparent: str = "") -> None:
+        message = envelope.ClientMessage(request_id=number, traceparent=traceparent)
         getattr(message, kind).CopyFrom(body)
         getattr(message, kind).SetInParent()
         data = message.SerializeToString()

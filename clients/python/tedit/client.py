@@ -65,9 +65,20 @@ class Client:
     was asked is asked again where that is safe: questions, and changes, which have an edit id and so are made once.
     """
 
-    def __init__(self, url: str, token: str, *, name: str = "tedit-python", timeout: float = 60, reconnect_s: float = 30) -> None:
-        """`timeout`: seconds for connecting and for what is answered soon. `reconnect_s` 0: a broken connection stays so."""
+    def __init__(
+        self,
+        url: str,
+        token: str,
+        *,
+        name: str = "tedit-python",
+        timeout: float = 60,
+        reconnect_s: float = 30,
+        traceparent: typing.Callable[[], str] | None = None,
+    ) -> None:
+        """`timeout`: seconds for connecting and for what is answered soon. `reconnect_s` 0: a broken connection stays so.
+        `traceparent`: what each call is a part of, as that header of the W3C's Trace Context; asked in the thread that calls."""
         self.url = url
+        self._traceparent = traceparent
         self._token, self._name, self._timeout, self._reconnect_s = token, name, timeout, reconnect_s
         self._documents: dict[str, Document] = {}  # By the name of today; touched in the loop only.
         self._closed = False
@@ -176,7 +187,8 @@ class Client:
         quick: bool = True,
         arrived: typing.Callable[[typing.Any], None] | None = None,
     ) -> Answer:
-        how = {"progress": progress, "limit": self._timeout if quick else None, "arrived": arrived}
+        part_of = self._traceparent() if self._traceparent else ""
+        how = {"progress": progress, "limit": self._timeout if quick else None, "arrived": arrived, "traceparent": part_of}
         return self._run(self._ask_until_answered(kind, body, file, how), cancel)
 
     def _run(self, work: typing.Coroutine[typing.Any, typing.Any, typing.Any], cancel: CancelToken | None = None) -> typing.Any:
@@ -323,6 +335,10 @@ class Client:
             document = self._documents.pop(body.before, None)
             if document:
                 self._documents[body.document] = document
+        if kind == "backlog_notice":  # Of the connection: all of its documents tell it.
+            for document in list(self._documents.values()):
+                document._tell(body)
+            return
         document = self._documents.get(getattr(body, "document", ""))
         if document:
             document._take(kind, body, arrays)

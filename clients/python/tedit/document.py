@@ -349,7 +349,10 @@ class Document:
     # -- how
 
     def _request(self) -> session.OpenDocument:
-        return session.OpenDocument(name=self.name, watch_surface=self.wants_surface, watch_fields=self.wants_fields)
+        held = "" if self._surface_fault else self.surface.version_id  # From an earlier connection.
+        return session.OpenDocument(
+            name=self.name, watch_surface=self.wants_surface, watch_fields=self.wants_fields, held_version_id=held
+        )
 
     def _ask(self, kind: str, body: typing.Any, **how: typing.Any) -> Answer:
         if self._gone:

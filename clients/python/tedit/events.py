@@ -7,6 +7,7 @@ import typing
 
 from .errors import TeditError
 from .surface import Field, Surface
+from .v1 import envelope_pb2 as envelope
 from .v1 import library_pb2 as library
 from .v1 import session_pb2 as session
 
@@ -43,6 +44,7 @@ Event = typing.Union[
     session.CadStateChanged,
     library.ParticipantChanged,
     session.DocumentRenamed,
+    envelope.BacklogNotice,
     SurfaceChanged,
     FieldArrived,
     Lost,

@@ -23,6 +23,8 @@ export interface ConnectOptions {
    * connection is broken. Default 30,000.
    */
   silenceMs?: number;
+  /** What each call is a part of, as the header traceparent of the W3C's Trace Context. */
+  traceparent?: () => string;
   /** Instead of the global WebSocket or, in Node, that of the package ws. */
   makeSocket?: (url: string) => SocketLike;
 }
@@ -72,6 +74,7 @@ export class Client {
   private readonly silenceMs: number;
   private readonly reconnectMs: number;
   private readonly name: string;
+  private readonly traceparent: (() => string) | undefined;
 
   /** @internal */
   constructor(
@@ -84,6 +87,7 @@ export class Client {
     this.silenceMs = options.silenceMs ?? 30_000;
     this.reconnectMs = options.reconnectMs ?? 30_000;
     this.name = options.name ?? "tedit-typescript";
+    this.traceparent = options.traceparent;
   }
 
   /** @internal */
@@ -176,7 +180,8 @@ export class Client {
 
   /** @internal */
   async ask<K extends AnswerCase>(request: Request, wanted: K, options: AskOptions = {}): Promise<Answer<K>> {
-    return this.repeat(request.case!, (link) => link.ask(request, wanted, options));
+    const traced = { ...options, traceparent: this.traceparent?.() };
+    return this.repeat(request.case!, (link) => link.ask(request, wanted, traced));
   }
 
   /** @internal */
@@ -186,7 +191,8 @@ export class Client {
     wanted: K,
     options: CallOptions = {},
   ): Promise<Answer<K>> {
-    return this.repeat(request(0n, 0n).case!, (link) => link.askWithFile(file, request, wanted, options));
+    const traced = { ...options, traceparent: this.traceparent?.() };
+    return this.repeat(request(0n, 0n).case!, (link) => link.askWithFile(file, request, wanted, traced));
   }
 
   /** @internal */
@@ -308,6 +314,8 @@ export class Client {
       this.documents_.delete(body.value.before);
       if (renamed) this.documents_.set(body.value.document, renamed);
     }
+    if (body.case === "backlogNotice") // Of the connection: all of its documents tell it.
+      for (const document of this.documents_.values()) document.tell({ type: body.case, message: body.value });
     const name = body.value && "document" in body.value ? (body.value.document as string) : "";
     this.documents_.get(name)?.take(body, arrays);
   }

@@ -378,7 +378,8 @@ export class Document {
 
   /** @internal */
   request(): MessageInitShape<typeof OpenDocumentSchema> {
-    return { name: this.name, watchSurface: this.wants.surface ?? true, watchFields: this.wants.fields ?? true };
+    const heldVersionId = this.surfaceFault ? "" : this.surface.versionId; // From an earlier connection.
+    return { name: this.name, watchSurface: this.wants.surface ?? true, watchFields: this.wants.fields ?? true, heldVersionId };
   }
 
   /** Those that are meant come after the answer. */

@@ -2,7 +2,7 @@
 // What a document tells by itself.
 import type { TeditError } from "./errors.js";
 import type { Field, Surface } from "./surface.js";
-import type { CadStateChanged, Committed, DocumentRenamed, LoadCasesChanged, ParticipantChanged, Solved, SolveStatus, VersionAnnotated } from "./v1.js";
+import type { BacklogNotice, CadStateChanged, Committed, DocumentRenamed, LoadCasesChanged, ParticipantChanged, Solved, SolveStatus, VersionAnnotated } from "./v1.js";
 
 export type DocumentEvent =
   | { readonly type: "committed"; readonly message: Committed }
@@ -15,6 +15,8 @@ export type DocumentEvent =
   /** Somebody else opened the document, or has it open no more. */
   | { readonly type: "participantChanged"; readonly message: ParticipantChanged }
   | { readonly type: "documentRenamed"; readonly message: DocumentRenamed }
+  /** The server sends more than this client takes; it ends the connection unless that changes. */
+  | { readonly type: "backlogNotice"; readonly message: BacklogNotice }
   | { readonly type: "surface"; readonly surface: Surface }
   /** Of one load case or of an envelope; maybe a first one (`field.interim`). */
   | { readonly type: "field"; readonly field: Field }

@@ -42,6 +42,8 @@ export interface AskOptions extends CallOptions {
   timeoutMs?: number | undefined;
   /** Has the answer before any message that comes after it. */
   arrived?: (body: Body) => void;
+  /** What the request is a part of, see ConnectOptions. */
+  traceparent?: string | undefined;
 }
 
 /** The part of a WebSocket that is used here: a browser's, or that of the package ws. */
@@ -178,7 +180,7 @@ export class Link {
       this.pending.set(id, pending);
       options.signal?.addEventListener("abort", abort);
       try {
-        this.send(id, request);
+        this.send(id, request, options.traceparent);
       } catch (problem) {
         pending.fail(problem as TeditError);
       }
@@ -210,9 +212,9 @@ export class Link {
     }
   }
 
-  private send(requestId: bigint, body: Request): void {
+  private send(requestId: bigint, body: Request, traceparent = ""): void {
     if (this.end) throw this.end;
-    const bytes = toBinary(ClientMessageSchema, create(ClientMessageSchema, { requestId, body }));
+    const bytes = toBinary(ClientMessageSchema, create(ClientMessageSchema, { requestId, traceparent, body }));
     const most = this.welcome?.maxMessageBytes;
     if (most && BigInt(bytes.length) > most) throw new InvalidArgument(`the request has ${bytes.length} bytes, the server takes ${most}`);
     this.socket.send(bytes as Uint8Array<ArrayBuffer>);
