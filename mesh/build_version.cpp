@@ -244,7 +244,7 @@ private:
       const auto& other = group[group[0].tet() == t];
       if (!decided[other.tet()])
         continue;
-      const bool same = (group[0].odd != 0) == (group[1].odd != 0);
+      const bool same = group[0].odd() == group[1].odd();
       ++(same == swapped[other.tet()] ? result.first : result.second);
     }
     return result;
@@ -293,7 +293,7 @@ private:
         return;
       if (group.size() == 1) {
         add_boundary(group[0]);
-      } else if (group.size() == 2 && group[0].odd != group[1].odd) {
+      } else if (group.size() == 2 && group[0].odd() != group[1].odd()) {
         neighbours_[group[0].tet()][group[0].face()] = group[1].tet();
         neighbours_[group[1].tet()][group[1].face()] = group[0].tet();
       } else {

@@ -13,14 +13,17 @@ face_table::face_table(const std::vector<tet>& tets, std::size_t vertices)
       ++first_[make_face_key(t, face).v[0] + 1];
   for (std::size_t v = 1; v < first_.size(); ++v)
     first_[v] += first_[v - 1];
-  std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
   for (std::uint32_t t = 0; t < tets.size(); ++t) {
     for (std::uint32_t face = 0; face < 4; ++face) {
       const auto key = make_face_key(tets[t], static_cast<int>(face));
-      entries_[next[key.v[0]]++] = {key.v[1], key.v[2], t << 2 | face, key.odd};
+      entries_[next[key.v[0]]++] = {key.v[1], key.v[2],
+                                    (key.odd ? entry::odd_flag : 0) | t << 2 | face};
     }
   }
-  const auto order = [](const entry& e) { return std::tuple(e.middle, e.largest, e.slot); };
+  const auto order = [](const entry& e) {
+    return std::tuple(e.middle, e.largest, e.slot & ~entry::odd_flag);
+  };
   for (std::size_t v = 0; v + 1 < first_.size(); ++v)
     std::ranges::sort(entries_.begin() + static_cast<std::ptrdiff_t>(first_[v]),
                       entries_.begin() + static_cast<std::ptrdiff_t>(first_[v + 1]), {}, order);

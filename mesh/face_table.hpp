@@ -16,11 +16,14 @@ public:
   struct entry {
     vertex_id middle;
     vertex_id largest;
-    std::uint32_t slot;  ///< tet << 2 | local face.
-    std::uint32_t odd;
+    /// odd << 31 | tet << 2 | local face: there are at most 2^29 tets, and four of these each.
+    std::uint32_t slot;
 
-    [[nodiscard]] std::uint32_t tet() const { return slot >> 2; }
+    [[nodiscard]] std::uint32_t tet() const { return (slot & ~odd_flag) >> 2; }
     [[nodiscard]] int face() const { return static_cast<int>(slot & 3); }
+    [[nodiscard]] bool odd() const { return (slot & odd_flag) != 0; }
+
+    static constexpr std::uint32_t odd_flag = std::uint32_t{1} << 31;
   };
 
   face_table(const std::vector<tet>& tets, std::size_t vertices);
@@ -45,7 +48,7 @@ public:
   [[nodiscard]] std::span<const entry> find(const face_key& key) const;
 
 private:
-  std::vector<std::size_t> first_;
+  std::vector<std::uint32_t> first_;
   std::vector<entry> entries_;
 };
 

@@ -55,10 +55,10 @@ expected<job_output<import_result>> read_mesh(const import_order& order, const p
                                               const execution& run) {
   run.report(0, "reading " + order.file_name);
   const stopwatch clock;
-  const auto bytes = join(order.file, order.size, pages);
+  auto bytes = join(order.file, order.size, pages);
   if (!bytes)
     return fail(bytes.error());
-  auto mesh = import_mesh_bytes(*bytes, order.length_unit);
+  auto mesh = import_mesh_bytes(*std::move(bytes), order.length_unit);
   if (!mesh) {
     auto e = mesh.error();
     e.where = order.file_name + (e.where.empty() ? "" : ": " + e.where);

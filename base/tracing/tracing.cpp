@@ -258,6 +258,7 @@ struct span::facts {
   }
 };
 
+span::span() = default;
 span::span(std::unique_ptr<facts> of) : facts_(std::move(of)) {}
 span::span(span&&) noexcept = default;
 

@@ -47,7 +47,7 @@ void stop();
 /// recorded: then everything about it does nothing.
 class span {
 public:
-  span() = default;
+  span();
   span(span&&) noexcept;
   span& operator=(span&& other) noexcept;
   ~span();

@@ -15,11 +15,11 @@ namespace tedit {
 expected<imported_mesh> import_mesh(const std::filesystem::path& path,
                                     const std::string& length_unit) {
   const stopwatch clock;
-  const auto bytes = read_file(path);
+  auto bytes = read_file(path);
   if (!bytes)
     return fail(bytes.error());
   const double file_ms = clock.milliseconds();
-  auto result = import_mesh_bytes(std::span<const char>(*bytes), length_unit);
+  auto result = import_mesh_bytes(*std::move(bytes), length_unit);
   if (!result) {
     auto failure = result.error();
     failure.where = path.string() + (failure.where.empty() ? "" : ", " + failure.where);
@@ -80,14 +80,17 @@ void take_unit(const read_mesh& read, const std::string& asked, imported_mesh& r
                               "; they are read so, not in " + asked);
 }
 
-expected<imported_mesh> read_and_build(std::span<const char> bytes,
-                                       const std::string& length_unit) {
+/// `let_go` is called once nothing of the bytes is needed any more.
+template <class LetGo>
+expected<imported_mesh> read_and_build(std::span<const char> bytes, const std::string& length_unit,
+                                       LetGo let_go) {
   if (const auto unit = metres_per_unit(length_unit); !unit)
     return fail(unit.error());
   stopwatch clock;
   auto read = read_any(bytes);
   if (!read)
     return fail(read.error());
+  let_go();
   imported_mesh result;
   result.read_ms = clock.restart();
   take_unit(*read, length_unit, result);
@@ -117,16 +120,27 @@ expected<imported_mesh> read_and_build(std::span<const char> bytes,
   return result;
 }
 
-}  // namespace
-
-expected<imported_mesh> import_mesh_bytes(std::span<const char> bytes,
-                                          const std::string& length_unit) {
+template <class LetGo>
+expected<imported_mesh> import_within_memory(std::span<const char> bytes,
+                                             const std::string& length_unit, LetGo let_go) {
   try {
-    return read_and_build(bytes, length_unit);
+    return read_and_build(bytes, length_unit, let_go);
   } catch (const std::bad_alloc&) {
     return fail(ec::out_of_memory, "there is not enough memory for this mesh",
                 "Close other programs or take a coarser mesh");
   }
+}
+
+}  // namespace
+
+expected<imported_mesh> import_mesh_bytes(std::span<const char> bytes,
+                                          const std::string& length_unit) {
+  return import_within_memory(bytes, length_unit, [] {});
+}
+
+expected<imported_mesh> import_mesh_bytes(std::vector<char>&& bytes,
+                                          const std::string& length_unit) {
+  return import_within_memory(bytes, length_unit, [&] { bytes = {}; });
 }
 
 }  // namespace tedit

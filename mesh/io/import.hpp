@@ -26,12 +26,15 @@ struct imported_mesh {
 /// are in the unit that the file says, else in `length_unit` ("mm", "m", "in", ...). Errors:
 /// `invalid_argument` for the unit, `io_error`, `bad_input` and `unsupported_format` with the line
 /// or byte offset in `where`. Nothing of a faulty file is used. Cost: linear; memory about three
-/// times the file.
+/// times the version's pages.
 [[nodiscard]] expected<imported_mesh> import_mesh(const std::filesystem::path& path,
                                                   const std::string& length_unit);
 
 /// The same for the bytes of a file that is already in memory.
 [[nodiscard]] expected<imported_mesh> import_mesh_bytes(std::span<const char> bytes,
+                                                        const std::string& length_unit);
+/// Likewise; they are let go once they were read.
+[[nodiscard]] expected<imported_mesh> import_mesh_bytes(std::vector<char>&& bytes,
                                                         const std::string& length_unit);
 
 }  // namespace tedit

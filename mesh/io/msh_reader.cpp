@@ -314,6 +314,8 @@ private:
       const auto count = in_.size("number of elements in a block");
       in_.check_count(count, (in_.binary ? 8 : 2) * (static_cast<std::size_t>(kind.nodes) + 1),
                       "elements in a block");
+      if (kind.purpose == element_use::tet && tets_.empty())
+        reserve_tets(total - std::min(listed, total), in_.binary ? 40 : 10);
       for (std::uint64_t i = 0; i < count; ++i) {
         const auto number = in_.size("the number of an element");
         element_nodes nodes{};
@@ -337,6 +339,7 @@ private:
     in_.skip_line_end();
     in_.binary = binary;
     in_.check_count(total, binary ? 8 : 6, "elements");
+    reserve_tets(total, binary ? 24 : 14);
     if (binary) {
       for (std::uint64_t listed = 0; listed < total;)
         listed += read_block_22(total - listed);
@@ -344,6 +347,15 @@ private:
       for (std::uint64_t i = 0; i < total; ++i)
         read_line_22();
     }
+  }
+
+  /// As many as the file says, no more than the bytes that are left can be: growing by doubling
+  /// would hold half as much again.
+  void reserve_tets(std::uint64_t count, std::size_t least_bytes) {
+    count = std::min<std::uint64_t>(count, (in_.text().size() - in_.offset()) / least_bytes);
+    tets_.reserve(count);
+    out_.mesh.tet_numbers.reserve(count);
+    out_.mesh.tet_regions.reserve(count);
   }
 
   std::uint64_t read_block_22(std::uint64_t left) {
@@ -408,6 +420,7 @@ private:
                 "Save the mesh with all of its nodes");
       return *index;
     };
+    out_.mesh.tets.reserve(tets_.size());
     for (std::size_t t = 0; t < tets_.size(); ++t) {
       const auto name = [&] { return "tet " + std::to_string(out_.mesh.tet_numbers[t]); };
       tet corners;

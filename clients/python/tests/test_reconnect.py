@@ -3,6 +3,7 @@
 import threading
 import time
 import unittest
+import unittest.mock
 
 from serving import LOADS, MESH, Line, Server
 
@@ -58,6 +59,38 @@ class Reconnecting(unittest.TestCase):
         next(one for one in heard if isinstance(one, events.Reconnected))
         self.assertEqual((part.head.number, part.can_undo), (1, True))
         self.assertEqual(part.wait_surface().version_id, part.head.version_id)
+
+    def test_only_what_has_changed_of_the_surface_comes_again(self):
+        part = self.connect().open("part", fields=False)
+        part.import_mesh(MESH)
+        before = part.wait_surface()
+        came = []
+        apply = tedit.Surface.apply
+        with unittest.mock.patch.object(tedit.Surface, "apply", lambda held, update, arrays: came.append(update) or apply(held, update, arrays)):
+            self.line.mute = True
+            with self.server.connect() as other:
+                other.open("part").edit("fill_hole", [92, 93])
+                changed = other.open("part").wait_surface()
+                came.clear()  # The other's own.
+                self.line.cut()
+                self.assertEqual(len(part.history().versions), 2)  # Waits for the line.
+                after = part.wait_surface()
+        self.assertEqual([(one.base_version_id, one.version_id) for one in came], [(before.version_id, after.version_id)])
+        self.assertLess(came[0].stream.bytes, 100_000)
+        self.assertEqual(after.version_id, changed.version_id)
+        self.assertAlmostEqual(after.area_m2(), changed.area_m2(), delta=1e-15)
+
+    def test_calls_say_what_they_are_a_part_of(self):
+        said = []
+        send = tedit._link.Link._send
+
+        async def listen(link, number, kind, body, traceparent=""):
+            said.append((kind, traceparent))
+            await send(link, number, kind, body, traceparent)
+
+        with unittest.mock.patch.object(tedit._link.Link, "_send", listen):
+            self.connect(traceparent=lambda: "00-4bf92f3577b34da6a3ce929d0e0e4736-00f067aa0ba902b7-01").documents()
+        self.assertIn(("list_documents", "00-4bf92f3577b34da6a3ce929d0e0e4736-00f067aa0ba902b7-01"), said)
 
     def test_a_document_that_was_deleted_meanwhile_is_no_new_one(self):
         client = self.connect(reconnect_s=120)
