@@ -90,7 +90,7 @@ error about_mesher(const program_end& end, const part_facts& facts, const fs::pa
     why.message +=
       ", at surface " + std::to_string(*surface) + (name.empty() ? "" : " (" + name + ")");
   }
-  why.remedy = std::string("Try another --size; if none works, simplify ") +
+  why.remedy = std::string("Mesh it coarser or finer; if neither works, simplify ") +
                (surface ? "that face" : "the part") + " in the CAD program (short edges, gaps)";
   return why;
 }
@@ -125,7 +125,7 @@ expected<std::string> sizes_by_place(const std::vector<local_size>& wanted,
       return fail(ec::surface_not_found,
                   "the part has no surface \"" + one.surface + "\" to give a size of its own",
                   "Its surfaces are 1 to " + std::to_string(facts.faces.size()) +
-                    "; \"tedit import PART --json\" lists them with their names");
+                    "; a part that was imported lists them with their names");
   }
   return result;
 }

@@ -130,7 +130,7 @@ error time_is_up(const std::string& what, const program_end& end, const program_
   return {
     ec::timeout,
     what + " took longer than " + std::to_string(limits.time.count()) + " s" + while_doing(end),
-    "Give it more with --time-limit, or take a coarser --size or a simpler part",
+    "Give it more time, mesh it coarser, or take a simpler part",
     {}};
 }
 

@@ -176,6 +176,20 @@ expected<std::vector<cad::local_size>> local_sizes_of(const std::vector<std::str
   return result;
 }
 
+/// What imports say is for windows and clients, too: here the remedy names the options that it
+/// means.
+error with_options(error why) {
+  const std::pair<const char*, const char*> known[] = {
+    {"memory", "--memory-mb"}, {"time", "--time-limit"}, {"coarser", "--size"}, {"unit", "--unit"}};
+  std::string options;
+  for (const auto& [word, option] : known)
+    if (why.remedy.find(word) != std::string::npos)
+      options += (options.empty() ? "" : ", ") + std::string(option);
+  if (!options.empty())
+    why.remedy += " (" + options + ")";
+  return why;
+}
+
 int run_import(import_options options, session& s) {
   const stopwatch total;
   auto local = local_sizes_of(options.local_sizes);
@@ -193,7 +207,7 @@ int run_import(import_options options, session& s) {
   const auto run = make_execution(s);
   const auto made = scan::import_part_file(options.request, run.part(0, 0.95));
   if (!made)
-    return print_error(s, made.error());
+    return print_error(s, with_options(made.error()));
   const auto* part = &made->part;
   stage_times ms{part->read_ms, part->mesh_ms, made->repair_ms, 0};
   if (!options.output.empty())

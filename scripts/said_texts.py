@@ -12,7 +12,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 # Rooms whose refusals, notices and stages of work reach a window.
-ROOMS = ["base", "mesh", "fem", "edit", "ops", "cad", "protocol", "client", "client-qt/net", "actors"]
+ROOMS = ["base", "mesh", "fem", "edit", "ops", "cad", "scan", "decks", "protocol", "client", "client-qt/net", "actors"]
 
 # Read by developers, integrators and operators alone: the kits of plugins, input decks and file headers, what is said
 # of bytes that two programs of one release send each other, logs; what "tedit doc" alone says.
@@ -20,7 +20,7 @@ LEFT_OUT = re.compile(r"""
     ops/(conformance|probe|sdk|mesher)/ | ops/loader/(plugin_fit|probe|operation_log|child_operation|edit_answer)
   | ops/[a-z_]+/operation\. | ops/tools/(profile_parameters|tools\.)
   | fem/(calculix_deck|quantities) | mesh/(layout|manifest|paged_array|formats\.hpp|version\.) | mesh/io/((vtu|obj|stl|ply)_writer|threemf_model)
-  | base/(error|metrics|random_token|virtual_display|process_usage|forked_call|units|child_process)
+  | base/tracing/ | base/(error|metrics|random_token|virtual_display|process_usage|forked_call|units|child_process)
   | client/(recipes/|recipe_) | protocol/(forms|json)
   | actors/(links|pages|exits|session/numbers|supervisor/pool_numbers|versions|wire_value|node/(server|worker|system)) | actors/store/(seal|documents_folder|removal|cleaning|check\.|document_view)
   | actors/gateway/(http_session|ws_session|transport|gateway\.|users)

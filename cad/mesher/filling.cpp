@@ -85,7 +85,7 @@ mesh_report fill_mended(const surface_mesh& as_made, double size_mm, double wall
     if (!fill(surface))
       tells.refuse({ec::mesher_failed,
                     "Gmsh could not fill the part with tets",
-                    "Try another --size; if none works, check in the CAD program that no faces cut "
+                    "Mesh it coarser or finer; if neither works, check in the CAD program that no faces cut "
                     "each other",
                     {}});
   }

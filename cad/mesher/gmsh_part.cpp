@@ -139,7 +139,7 @@ surface_mesh gmsh_part::mesh_faces(const fineness& size, const std::map<int, dou
     if (triangles.empty())
       tells_.refuse({ec::mesher_failed,
                      "Gmsh made no triangles on " + surface_words(face),
-                     "Try another --size, or mend that face in the CAD program",
+                     "Mesh it coarser or finer, or mend that face in the CAD program",
                      {}});
     for (const auto& [a, b, c] : triangles)
       mesh.triangles.push_back({{static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b),

@@ -72,7 +72,7 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     tells.refuse({ec::out_of_memory,
                   "the reader needs more memory than it may take",
-                  "Give it more with --memory-mb, or take a simpler part",
+                  "Give it more memory, or take a simpler part",
                   {}});
   } catch (const Standard_Failure& why) {
     tells.refuse({ec::bad_input,

@@ -7292,18 +7292,6 @@
         <translation>Die Teile einzeln exportieren oder im CAD-Programm vereinigen</translation>
     </message>
     <message>
-        <source>Give it more with --memory-mb, or take a coarser --size</source>
-        <translation>Mit --memory-mb mehr geben oder ein gröberes --size nehmen</translation>
-    </message>
-    <message>
-        <source>Give it more with --memory-mb, or take a simpler part</source>
-        <translation>Mit --memory-mb mehr geben oder ein einfacheres Teil nehmen</translation>
-    </message>
-    <message>
-        <source>Give it more with --time-limit, or take a coarser --size or a simpler part</source>
-        <translation>Mit --time-limit mehr geben oder ein gröberes --size oder ein einfacheres Teil nehmen</translation>
-    </message>
-    <message>
         <source>Gmsh could not fill the part with tets</source>
         <translation>Gmsh konnte das Teil nicht mit Tetraedern füllen</translation>
     </message>
@@ -7346,18 +7334,6 @@
     <message>
         <source>Try again; if it stays, report it with the CAD file</source>
         <translation>Noch einmal versuchen; wenn es bleibt, mit der CAD-Datei melden</translation>
-    </message>
-    <message>
-        <source>Try another --size, or mend that face in the CAD program</source>
-        <translation>Ein anderes --size versuchen oder diese Fläche im CAD-Programm ausbessern</translation>
-    </message>
-    <message>
-        <source>Try another --size; if none works, check in the CAD program that no faces cut each other</source>
-        <translation>Ein anderes --size versuchen; wenn keines geht, im CAD-Programm prüfen, dass keine Flächen einander schneiden</translation>
-    </message>
-    <message>
-        <source>Try another --size; if none works, mend the part in the CAD program</source>
-        <translation>Ein anderes --size versuchen; wenn keines geht, das Teil im CAD-Programm ausbessern</translation>
     </message>
     <message>
         <source>Write it again with BRepTools::Write of OpenCASCADE, or take a STEP file</source>
@@ -8294,10 +8270,6 @@
     <message>
         <source>Give the edit that makes them &quot;label&quot;: &quot;%1&quot;</source>
         <translation>Der Bearbeitung, die sie macht, &quot;label&quot;: &quot;%1&quot; geben</translation>
-    </message>
-    <message>
-        <source>Its surfaces are 1 to %1; &quot;tedit import PART --json&quot; lists them with their names</source>
-        <translation>Seine Flächen sind 1 bis %1; „tedit import PART --json“ nennt sie mit ihren Namen</translation>
     </message>
     <message>
         <source>Try again when less runs on it</source>
@@ -9252,18 +9224,6 @@
         <translation>ein Deck mit einem Lastfall ist in Metern</translation>
     </message>
     <message>
-        <source>cannot open %1 for spans</source>
-        <translation>%1 lässt sich nicht für Spuren öffnen</translation>
-    </message>
-    <message>
-        <source>cannot rename %1: %2</source>
-        <translation>%1 lässt sich nicht umbenennen: %2</translation>
-    </message>
-    <message>
-        <source>cannot write spans to %1</source>
-        <translation>Spuren lassen sich nicht nach %1 schreiben</translation>
-    </message>
-    <message>
         <source>the worker %1</source>
         <translation>der Arbeiter %1</translation>
     </message>
@@ -9274,6 +9234,334 @@
     <message>
         <source>waiting for %1 changes of this document before it</source>
         <translation>wartet auf %1 Änderungen dieses Dokuments davor</translation>
+    </message>
+    <message>
+        <source>Give it more memory, or mesh it coarser</source>
+        <translation>Mehr Speicher geben oder gröber vernetzen</translation>
+    </message>
+    <message>
+        <source>Give it more memory, or take a simpler part</source>
+        <translation>Mehr Speicher geben oder ein einfacheres Teil nehmen</translation>
+    </message>
+    <message>
+        <source>Give it more time, mesh it coarser, or take a simpler part</source>
+        <translation>Mehr Zeit geben, gröber vernetzen oder ein einfacheres Teil nehmen</translation>
+    </message>
+    <message>
+        <source>Its surfaces are 1 to %1; a part that was imported lists them with their names</source>
+        <translation>Seine Flächen sind 1 bis %1; ein importiertes Teil zählt sie mit ihren Namen auf</translation>
+    </message>
+    <message>
+        <source>Mesh it coarser or finer, or mend that face in the CAD program</source>
+        <translation>Gröber oder feiner vernetzen oder diese Fläche im CAD-Programm ausbessern</translation>
+    </message>
+    <message>
+        <source>Mesh it coarser or finer; if neither works, check in the CAD program that no faces cut each other</source>
+        <translation>Gröber oder feiner vernetzen; wenn beides nicht geht, im CAD-Programm prüfen, dass keine Flächen einander schneiden</translation>
+    </message>
+    <message>
+        <source>Mesh it coarser or finer; if neither works, mend the part in the CAD program</source>
+        <translation>Gröber oder feiner vernetzen; wenn beides nicht geht, das Teil im CAD-Programm ausbessern</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no encoding of a PLY file</source>
+        <translation>„%1“ ist keine Kodierung einer PLY-Datei</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no type of a PLY file</source>
+        <translation>„%1“ ist kein Typ einer PLY-Datei</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no word of an STL file</source>
+        <translation>„%1“ ist kein Wort einer STL-Datei</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is out of place in the header of a PLY file</source>
+        <translation>„%1“ steht im Kopf einer PLY-Datei am falschen Platz</translation>
+    </message>
+    <message>
+        <source>%1 edge has more than two triangles, the first at %2</source>
+        <translation>%1 Kante hat mehr als zwei Dreiecke, die erste bei %2</translation>
+    </message>
+    <message>
+        <source>%1 edges have more than two triangles, the first at %2</source>
+        <translation>%1 Kanten haben mehr als zwei Dreiecke, die erste bei %2</translation>
+    </message>
+    <message>
+        <source>%1: it is cut off</source>
+        <translation>%1: sie ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>Bodies may touch but not share an edge, and no wall may lie within the material: part them, or unite them, in the program that the file comes from</source>
+        <translation>Körper dürfen sich berühren, aber keine Kante teilen, und keine Wand darf im Material liegen: im Programm, von dem die Datei stammt, trennen oder vereinigen</translation>
+    </message>
+    <message>
+        <source>Check the unit and the coordinates of the file</source>
+        <translation>Die Einheit und die Koordinaten der Datei prüfen</translation>
+    </message>
+    <message>
+        <source>Close it in the program that the file comes from, for example by MeshLab&apos;s &quot;Close holes&quot;; holes up to a twentieth of the part&apos;s extent around are closed here</source>
+        <translation>Im Programm, von dem die Datei stammt, schließen, zum Beispiel mit „Close holes“ von MeshLab; Löcher bis zu einem Zwanzigstel der Teilgröße Umfang werden hier geschlossen</translation>
+    </message>
+    <message>
+        <source>Close them in the program that the file comes from</source>
+        <translation>Im Programm, von dem die Datei stammt, schließen</translation>
+    </message>
+    <message>
+        <source>Export the part as STL, or as a 3MF of the core specification alone</source>
+        <translation>Das Teil als STL oder als 3MF allein der Kernspezifikation ausgeben</translation>
+    </message>
+    <message>
+        <source>Give it more memory, or simplify the surface</source>
+        <translation>Mehr Speicher geben oder die Oberfläche vereinfachen</translation>
+    </message>
+    <message>
+        <source>Leave the unit out</source>
+        <translation>Die Einheit weglassen</translation>
+    </message>
+    <message>
+        <source>Mesh it coarser or finer; if neither works, repair the surface in the program that it comes from</source>
+        <translation>Gröber oder feiner vernetzen; wenn beides nicht geht, die Oberfläche in dem Programm reparieren, von dem sie stammt</translation>
+    </message>
+    <message>
+        <source>Mesh it without, and make it finer afterwards with the operation refine</source>
+        <translation>Ohne vernetzen und danach mit der Operation refine verfeinern</translation>
+    </message>
+    <message>
+        <source>Part what touches there, or unite it, in the program that the file comes from</source>
+        <translation>Was sich dort berührt, im Programm, von dem die Datei stammt, trennen oder vereinigen</translation>
+    </message>
+    <message>
+        <source>Put the part on the plate, and save the file again</source>
+        <translation>Das Teil auf die Platte setzen und die Datei noch einmal speichern</translation>
+    </message>
+    <message>
+        <source>Repair it in the program that the file comes from</source>
+        <translation>Im Programm, von dem die Datei stammt, reparieren</translation>
+    </message>
+    <message>
+        <source>Save it without one</source>
+        <translation>Ohne eines speichern</translation>
+    </message>
+    <message>
+        <source>Save the part as STL, or simplify it</source>
+        <translation>Das Teil als STL speichern oder vereinfachen</translation>
+    </message>
+    <message>
+        <source>Save the part&apos;s surface again, as a binary STL or a 3MF</source>
+        <translation>Die Oberfläche des Teils noch einmal speichern, als binäres STL oder 3MF</translation>
+    </message>
+    <message>
+        <source>Simplify it first, for example in MeshLab</source>
+        <translation>Zuerst vereinfachen, zum Beispiel in MeshLab</translation>
+    </message>
+    <message>
+        <source>Simplify the part first</source>
+        <translation>Das Teil zuerst vereinfachen</translation>
+    </message>
+    <message>
+        <source>Simplify the part first, for example in MeshLab</source>
+        <translation>Das Teil zuerst vereinfachen, zum Beispiel in MeshLab</translation>
+    </message>
+    <message>
+        <source>Take out what is no part of it, for example by MeshLab&apos;s &quot;Remove isolated pieces&quot;</source>
+        <translation>Herausnehmen, was nicht dazugehört, zum Beispiel mit „Remove isolated pieces“ von MeshLab</translation>
+    </message>
+    <message>
+        <source>Unite its parts in the program that the file comes from, or repair it there</source>
+        <translation>Ihre Teile im Programm, von dem die Datei stammt, vereinigen oder sie dort reparieren</translation>
+    </message>
+    <message>
+        <source>Write each face on one line</source>
+        <translation>Jede Facette in eine Zeile schreiben</translation>
+    </message>
+    <message>
+        <source>a corner has %1 coordinates, not 3</source>
+        <translation>eine Ecke hat %1 Koordinaten, nicht 3</translation>
+    </message>
+    <message>
+        <source>a corner stands outside of all facets</source>
+        <translation>eine Ecke steht außerhalb aller Facetten</translation>
+    </message>
+    <message>
+        <source>a face has %1 corners, not 3</source>
+        <translation>eine Facette hat %1 Ecken, nicht 3</translation>
+    </message>
+    <message>
+        <source>a face names vertex %1 of %2 so far; they count from 1, or back from -1</source>
+        <translation>eine Facette nennt Knoten %1 von bisher %2; sie zählen ab 1 oder rückwärts ab -1</translation>
+    </message>
+    <message>
+        <source>a facet of the STL file has %1 corners, not 3</source>
+        <translation>eine Facette der STL-Datei hat %1 Ecken, nicht 3</translation>
+    </message>
+    <message>
+        <source>a file in the 3MF archive says that it has %1 bytes unpacked, more than %2</source>
+        <translation>eine Datei im 3MF-Archiv hat nach eigener Angabe entpackt %1 Byte, mehr als %2</translation>
+    </message>
+    <message>
+        <source>a line of the OBJ file goes on in the next one</source>
+        <translation>eine Zeile der OBJ-Datei geht in der nächsten weiter</translation>
+    </message>
+    <message>
+        <source>a unit is for STL, OBJ and PLY files: a CAD file says its own</source>
+        <translation>eine Einheit ist für STL-, OBJ- und PLY-Dateien: eine CAD-Datei nennt ihre eigene</translation>
+    </message>
+    <message>
+        <source>a vertex has %1 coordinates, not 3</source>
+        <translation>ein Knoten hat %1 Koordinaten, nicht 3</translation>
+    </message>
+    <message>
+        <source>byte %1</source>
+        <translation>Byte %1</translation>
+    </message>
+    <message>
+        <source>byte %1 of the model</source>
+        <translation>Byte %1 des Modells</translation>
+    </message>
+    <message>
+        <source>byte 80</source>
+        <translation>Byte 80</translation>
+    </message>
+    <message>
+        <source>holes of the surface meet in one point, at %1</source>
+        <translation>Löcher der Oberfläche treffen sich in einem Punkt, bei %1</translation>
+    </message>
+    <message>
+        <source>local sizes are for CAD files: the surfaces of this file are found while it is meshed</source>
+        <translation>örtliche Größen sind für CAD-Dateien: die Flächen dieser Datei werden erst beim Vernetzen gefunden</translation>
+    </message>
+    <message>
+        <source>the %1 file holds no triangle</source>
+        <translation>die %1-Datei enthält kein Dreieck</translation>
+    </message>
+    <message>
+        <source>the 3MF archive has sizes of 64 bits (ZIP64)</source>
+        <translation>das 3MF-Archiv hat Größen von 64 Bit (ZIP64)</translation>
+    </message>
+    <message>
+        <source>the 3MF archive is locked by a password</source>
+        <translation>das 3MF-Archiv ist durch ein Kennwort gesperrt</translation>
+    </message>
+    <message>
+        <source>the 3MF archive is packed in a way that is not read</source>
+        <translation>das 3MF-Archiv ist auf eine Art gepackt, die nicht gelesen wird</translation>
+    </message>
+    <message>
+        <source>the PLY file says that it has %1 of &quot;%2&quot;</source>
+        <translation>die PLY-Datei hat nach eigener Angabe %1 von „%2“</translation>
+    </message>
+    <message>
+        <source>the STL file ends within a facet</source>
+        <translation>die STL-Datei endet in einer Facette</translation>
+    </message>
+    <message>
+        <source>the STL file is cut off: it has %1 bytes, its header alone has 84</source>
+        <translation>die STL-Datei ist abgeschnitten: sie hat %1 Byte, ihr Kopf allein hat 84</translation>
+    </message>
+    <message>
+        <source>the STL file says that it has %1 triangles, but its bytes end after %2</source>
+        <translation>die STL-Datei hat nach eigener Angabe %1 Dreiecke, ihre Bytes enden aber nach %2</translation>
+    </message>
+    <message>
+        <source>the archive holds no %1: it is no 3MF file</source>
+        <translation>das Archiv enthält kein %1: es ist keine 3MF-Datei</translation>
+    </message>
+    <message>
+        <source>the archive of the 3MF file is damaged: %1</source>
+        <translation>das Archiv der 3MF-Datei ist beschädigt: %1</translation>
+    </message>
+    <message>
+        <source>the file holds %1 separate closed surfaces, more than 1,000</source>
+        <translation>die Datei enthält %1 getrennte geschlossene Oberflächen, mehr als 1.000</translation>
+    </message>
+    <message>
+        <source>the file&apos;s triangles enclose nothing</source>
+        <translation>die Dreiecke der Datei umschließen nichts</translation>
+    </message>
+    <message>
+        <source>the header of the PLY file does not say its format</source>
+        <translation>der Kopf der PLY-Datei nennt ihr Format nicht</translation>
+    </message>
+    <message>
+        <source>the header of the PLY file has no end</source>
+        <translation>der Kopf der PLY-Datei hat kein Ende</translation>
+    </message>
+    <message>
+        <source>the model of the 3MF file is no XML: %1</source>
+        <translation>das Modell der 3MF-Datei ist kein XML: %1</translation>
+    </message>
+    <message>
+        <source>the surface cannot be mended: %1</source>
+        <translation>die Oberfläche lässt sich nicht ausbessern: %1</translation>
+    </message>
+    <message>
+        <source>the surface cannot be written</source>
+        <translation>die Oberfläche lässt sich nicht schreiben</translation>
+    </message>
+    <message>
+        <source>the surface goes through itself: %1 pair of triangles cuts or covers each other, the first at %2</source>
+        <translation>die Oberfläche geht durch sich selbst: %1 Paar Dreiecke schneidet oder überdeckt sich, das erste bei %2</translation>
+    </message>
+    <message>
+        <source>the surface goes through itself: %1 pairs of triangles cut or cover each other, the first at %2</source>
+        <translation>die Oberfläche geht durch sich selbst: %1 Paare Dreiecke schneiden oder überdecken sich, das erste bei %2</translation>
+    </message>
+    <message>
+        <source>the surface has %1 triangles, more than 2,000,000</source>
+        <translation>die Oberfläche hat %1 Dreiecke, mehr als 2.000.000</translation>
+    </message>
+    <message>
+        <source>the surface has one side only, as a Moebius strip has, at %1</source>
+        <translation>die Oberfläche hat nur eine Seite, wie ein Möbiusband, bei %1</translation>
+    </message>
+    <message>
+        <source>the surface is not closed to the last bit</source>
+        <translation>die Oberfläche ist nicht bis auf das letzte Bit geschlossen</translation>
+    </message>
+    <message>
+        <source>the surface is not closed: it has %1 hole, the longest is %2 mm around, its middle at %3</source>
+        <translation>die Oberfläche ist nicht geschlossen: sie hat %1 Loch, das längste hat %2 mm Umfang, seine Mitte liegt bei %3</translation>
+    </message>
+    <message>
+        <source>the surface is not closed: it has %1 holes, the longest is %2 mm around, its middle at %3</source>
+        <translation>die Oberfläche ist nicht geschlossen: sie hat %1 Löcher, das längste hat %2 mm Umfang, seine Mitte liegt bei %3</translation>
+    </message>
+    <message>
+        <source>the surface measures %1 mm across</source>
+        <translation>die Oberfläche misst %1 mm quer</translation>
+    </message>
+    <message>
+        <source>the surface of the import&apos;s folder is damaged</source>
+        <translation>die Oberfläche im Ordner des Imports ist beschädigt</translation>
+    </message>
+    <message>
+        <source>the surface touches itself in one point, at %1</source>
+        <translation>die Oberfläche berührt sich in einem Punkt, bei %1</translation>
+    </message>
+    <message>
+        <source>the triangles do not make up one closed surface</source>
+        <translation>die Dreiecke ergeben keine geschlossene Oberfläche</translation>
+    </message>
+    <message>
+        <source>the vertices of the PLY file have no %1</source>
+        <translation>die Knoten der PLY-Datei haben kein %1</translation>
+    </message>
+    <message>
+        <source>there is no memory to unpack the 3MF file</source>
+        <translation>zum Entpacken der 3MF-Datei fehlt Speicher</translation>
+    </message>
+    <message>
+        <source>this property has not a type and a name, or list, two types and a name</source>
+        <translation>diese Eigenschaft hat nicht einen Typ und einen Namen oder list, zwei Typen und einen Namen</translation>
+    </message>
+    <message>
+        <source>this property stands before all elements</source>
+        <translation>diese Eigenschaft steht vor allen Elementen</translation>
+    </message>
+    <message>
+        <source>triangle %1 of the STL file has a corner that is no finite number</source>
+        <translation>Dreieck %1 der STL-Datei hat eine Ecke, die keine endliche Zahl ist</translation>
     </message>
 </context>
 <context>

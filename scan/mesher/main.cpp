@@ -61,12 +61,12 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     tells.refuse({ec::out_of_memory,
                   "the mesher needs more memory than it may take",
-                  "Give it more with --memory-mb, or take a coarser --size",
+                  "Give it more memory, or mesh it coarser",
                   {}});
   } catch (...) {
     tells.refuse({ec::mesher_failed,
                   "Gmsh could not mesh the part: " + cad::last_word_of_gmsh(),
-                  "Try another --size; if none works, repair the surface in the program that it "
+                  "Mesh it coarser or finer; if neither works, repair the surface in the program that it "
                   "comes from",
                   {}});
   }

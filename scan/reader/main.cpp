@@ -52,7 +52,7 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     tells.refuse({ec::out_of_memory,
                   "the reader needs more memory than it may take",
-                  "Give it more with --memory-mb, or simplify the surface",
+                  "Give it more memory, or simplify the surface",
                   {}});
   } catch (const std::exception& why) {
     tells.refuse({ec::bad_input,

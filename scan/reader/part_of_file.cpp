@@ -58,7 +58,7 @@ private:
       return {};
     return fail(ec::bad_input,
                 "the surface measures " + format_number("%.3g", extent) + " mm across",
-                "Check the unit (--unit) and the coordinates of the file");
+                "Check the unit and the coordinates of the file");
   }
 
   /// What fits together to the last bit stays as it is where that is sound: a tolerance closes
@@ -95,7 +95,7 @@ private:
       tell(counted(sewn->filled, "small hole", "small holes") + " filled");
     if (read_.surface.triangles.size() < 4)
       return fail(ec::bad_input, "the file's triangles enclose nothing",
-                  "Check the unit (--unit) and the coordinates of the file");
+                  "Check the unit and the coordinates of the file");
     if (const auto edges = check_edges(read_.surface); !edges)
       return fail(edges.error());
     auto shells = orient(read_.surface);

@@ -9,7 +9,8 @@ usage: tests/network/machines.py [--program build/release/bin/tedit] [--mesh MES
 Machines: hall (server, client), rack-1 and rack-2 (a solver each), desk (a modeling worker), bench (an optimizer). Under each condition the
 same edits are made, undone and solved; each version and each largest stress must be those of a good network, and the document
 must have each edit once. Printed: times from an edit to its answer and to its field, and for faults how long they were noticed and
-restored. With --kills instead: so many workers of each role are killed, each at a random moment of an edit and its solve.
+restored. With --kills instead: so many workers of each role (of those in --only) are killed, each at a random moment of an edit and its
+solve.
 """
 import argparse
 import os
@@ -315,7 +316,7 @@ def one_kill(hall, part, number, role, calm, last):
     return states.get(victim) == "working", done - begin, time.monotonic() - struck, field.message.solve, seen
 
 
-def many_kills(hall, count):
+def many_kills(hall, count, only):
     """Kills at random moments: the versions and stresses of an undisturbed run, each edit once, all workers back each time."""
     part = hall.open("killed-workers")
     different = 12  # More than there are results at hand, so that each version is solved anew.
@@ -324,6 +325,8 @@ def many_kills(hall, count):
     print("\n| role killed | kills | while it worked | the edit's field after, s | longest | joined again after, s | longest |")
     print("|---|---|---|---|---|---|---|")
     for role in sorted(set(WORKERS.values())):
+        if only and role not in only:
+            continue
         worked, fields, back = 0, [], []
         for _ in range(count):
             number = made % different
@@ -356,7 +359,7 @@ def main():
         try:
             hall.enter()
             if arguments.kills:
-                many_kills(hall, arguments.kills)
+                many_kills(hall, arguments.kills, only)
                 return
             results = conditions(hall, only)
             faults(hall, results, only, arguments.partition)

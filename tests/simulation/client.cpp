@@ -167,9 +167,11 @@ void simulated_client::connect() {
 
 void simulated_client::open_document() {
   is_open_ = false;
-  inbox_->open(document_);
+  const auto held = std::exchange(held_, {});
+  inbox_->open(document_, held);
   request open;
   auto* body = open.message.mutable_open_document();
+  body->set_held_version_id(held.version_id());
   body->set_name(document_);
   body->set_watch_surface(true);
   body->set_watch_fields(true);
@@ -181,6 +183,8 @@ void simulated_client::drop() {
     return;
   line_->cut();
   line_.reset();
+  if (++drops_ % 2 == 1)
+    held_ = inbox_->surface();
   caf::anon_send(actor_, gateway::closed_atom::value);
   actor_ = nullptr;
   is_open_ = false;

@@ -100,6 +100,8 @@ private:
   bool lost_solve_ = false;
   std::set<std::pair<std::string, std::uint64_t>> sent_solves_;
   std::string last_field_version_;
+  std::uint64_t drops_ = 0;
+  client::surface_model held_;  ///< With what it comes back, every other time.
   client::events handlers_;
   std::optional<client::inbox> inbox_;  ///< A new one for each connection.
 };
