@@ -83,11 +83,12 @@ mesh_report fill_mended(const surface_mesh& as_made, double size_mm, double wall
     report = {size_mm, 0, 0, 0, {}};
     surface = as_made;
     if (!fill(surface))
-      tells.refuse({ec::mesher_failed,
-                    "Gmsh could not fill the part with tets",
-                    "Mesh it coarser or finer; if neither works, check in the CAD program that no faces cut "
-                    "each other",
-                    {}});
+      tells.refuse(
+        {ec::mesher_failed,
+         "Gmsh could not fill the part with tets",
+         "Mesh it coarser or finer; if neither works, check in the CAD program that no faces cut "
+         "each other",
+         {}});
   }
   tell_what_is_gone(surface, faces, report);
   return report;

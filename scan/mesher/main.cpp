@@ -64,11 +64,12 @@ int main(int argc, char** argv) {
                   "Give it more memory, or mesh it coarser",
                   {}});
   } catch (...) {
-    tells.refuse({ec::mesher_failed,
-                  "Gmsh could not mesh the part: " + cad::last_word_of_gmsh(),
-                  "Mesh it coarser or finer; if neither works, repair the surface in the program that it "
-                  "comes from",
-                  {}});
+    tells.refuse(
+      {ec::mesher_failed,
+       "Gmsh could not mesh the part: " + cad::last_word_of_gmsh(),
+       "Mesh it coarser or finer; if neither works, repair the surface in the program that it "
+       "comes from",
+       {}});
   }
   std::fflush(stdout);
   _exit(0);
