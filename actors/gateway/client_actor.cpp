@@ -102,8 +102,10 @@ void client_state::on_closed() {
     one.span.fail("the connection ended");
   asked.clear();
   // What runs for this client alone is ended; what it has committed stays.
-  for (const auto& [id, request] : requests)
+  for (const auto& [id, request] : requests) {
     request.cancel();
+    tracing::unbind(request.ticket);
+  }
   for (const auto& [key, document] : documents)
     caf::anon_send(document.session, actors::detach_atom::value, caf::actor_cast<caf::actor>(self));
   self->quit();
