@@ -2,6 +2,7 @@
 #include "client/surface_reference.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/short_number.hpp"
 #include "mesh/distances.hpp"
@@ -139,6 +140,75 @@ expected<std::vector<surface_id>> surface_references::find(const surface_referen
   if (!one.at_mm)
     return std::vector<surface_id>(those->begin(), those->end());
   return nearest(part, *those, one).map([](surface_id id) { return std::vector<surface_id>{id}; });
+}
+
+namespace {
+
+/// The middle of its largest facet: of all places the one that is surely within the surface and
+/// furthest from others, also where it is bent.
+std::optional<vec3> place_within(surface_id surface, const surface_model& part) {
+  std::optional<vec3> place;
+  double most = 0;
+  part.facets().for_each([&](std::uint32_t, const surface_facet& f) {
+    if (f.surface != surface)
+      return;
+    const vec3 a = *part.positions().find(f.v[0]);
+    const vec3 b = *part.positions().find(f.v[1]);
+    const vec3 c = *part.positions().find(f.v[2]);
+    const double size = norm(cross(b - a, c - a));
+    if (place && size <= most)
+      return;
+    most = size;
+    place = (1.0 / 3) * (a + b + c);
+  });
+  return place;
+}
+
+/// As a person would write it: to a ten-thousandth of a millimetre.
+double rounded_mm(double metres) {
+  constexpr double steps_per_mm = 1e4;
+  return std::round(metres / metres_per_mm * steps_per_mm) / steps_per_mm;
+}
+
+}  // namespace
+
+std::optional<surface_reference> reference_to(surface_id surface, const surface_model& part,
+                                              const std::string& made_by) {
+  const auto row = part.surfaces().find(surface);
+  const auto place = place_within(surface, part);
+  if (row == part.surfaces().end() || !place)
+    return std::nullopt;
+  surface_reference result;
+  result.made_by = made_by;
+  const auto same_name = [&](const auto& other) { return other.second.name == row->second.name; };
+  if (!row->second.name.empty() && std::ranges::count_if(part.surfaces(), same_name) == 1)
+    result.name = row->second.name;
+  else
+    result.at_mm = vec3{rounded_mm(place->x), rounded_mm(place->y), rounded_mm(place->z)};
+  return result;
+}
+
+void refer_to_surfaces(
+  std::vector<surface_id>& ids, std::vector<surface_reference>& references,
+  const std::function<std::optional<surface_reference>(surface_id)>& reference_of) {
+  for (auto& id : ids) {
+    const auto one = reference_of(id);
+    if (!one)
+      continue;
+    const auto known = std::ranges::find(references, *one);
+    id = place_of_reference(static_cast<std::size_t>(known - references.begin()));
+    if (known == references.end())
+      references.push_back(*one);
+  }
+}
+
+void refer_to_surfaces(
+  fem::load_case& loads, std::vector<surface_reference>& references,
+  const std::function<std::optional<surface_reference>(surface_id)>& reference_of) {
+  for (auto& one : loads.constraints)
+    refer_to_surfaces(one.surfaces, references, reference_of);
+  for (auto& one : loads.loads)
+    refer_to_surfaces(one.surfaces, references, reference_of);
 }
 
 std::string words_of(const surface_reference& one) {

@@ -28,6 +28,22 @@ struct surface_reference {
   friend bool operator==(const surface_reference&, const surface_reference&) = default;
 };
 
+/// A reference that means this surface of the part and no other: by its name where no other surface
+/// has that, else by a point within it, and by the edit that made it where `made_by` says one.
+/// Nothing for a surface that is not there. Cost: O(boundary).
+[[nodiscard]] std::optional<surface_reference> reference_to(surface_id surface,
+                                                            const surface_model& part,
+                                                            const std::string& made_by = {});
+
+/// Puts places of references where numbers are, each surface one reference; a number without one
+/// stays. What `reference_of` gives for the same number is the same.
+void refer_to_surfaces(
+  std::vector<surface_id>& ids, std::vector<surface_reference>& references,
+  const std::function<std::optional<surface_reference>(surface_id)>& reference_of);
+void refer_to_surfaces(
+  fem::load_case& loads, std::vector<surface_reference>& references,
+  const std::function<std::optional<surface_reference>(surface_id)>& reference_of);
+
 /// For people: "hole at (1, 2.5, 3) mm", "what pin made".
 [[nodiscard]] std::string words_of(const surface_reference& one);
 /// "12, 13, hole at (1, 2.5, 3) mm".

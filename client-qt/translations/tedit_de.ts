@@ -11710,8 +11710,12 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
         <translation>Zeichnet als Rezept auf, was getan wird; Fenster und „tedit run“ führen es aus; noch einmal: beendet und speichert</translation>
     </message>
     <message>
-        <source>Recipes (*.json)</source>
-        <translation>Rezepte (*.json)</translation>
+        <source>Recipes for other meshes and sizes, surfaces by name and place (*.json)</source>
+        <translation>Rezepte für andere Netze und Größen, Flächen nach Name und Ort (*.json)</translation>
+    </message>
+    <message>
+        <source>Recipes, surfaces by number (*.json)</source>
+        <translation>Rezepte, Flächen nach Nummer (*.json)</translation>
     </message>
 </context>
 <context>

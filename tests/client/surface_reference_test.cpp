@@ -75,6 +75,38 @@ TEST(SurfaceReference, APointBetweenSurfacesSaysNothingUnlessAFeatureIsMeant) {
   EXPECT_THAT(found({.at_mm = vec3{0, 5, 0}, .feature = feature_kind::hole}), ElementsAre(1));
 }
 
+TEST(SurfaceReference, IsMadeOfANameWhereThatIsEnoughAndElseOfAPlace) {
+  const auto part = corner(true);
+  EXPECT_EQ(reference_to(2, part), surface_reference{.name = "wall"});
+  // Two are called so: the middle of one of the two facets (0, 0, 0), (10, 0, 0), (10, 10, 0).
+  const auto floor = reference_to(1, part);
+  ASSERT_TRUE(floor && floor->at_mm);
+  EXPECT_EQ(floor->name, "");
+  EXPECT_NEAR(floor->at_mm->x, 6.6667, 1e-9) << "to a ten-thousandth";
+  EXPECT_NEAR(floor->at_mm->y, 3.3333, 1e-9);
+  EXPECT_EQ(floor->at_mm->z, 0);
+  for (const surface_id id : {1, 2, 7})
+    EXPECT_THAT(found(*reference_to(id, part)), ElementsAre(id));
+  EXPECT_EQ(reference_to(2, part, "edit 1")->made_by, "edit 1");
+  EXPECT_EQ(reference_to(5, part), std::nullopt);
+}
+
+TEST(SurfaceReference, TakesThePlaceOfNumbersOnceEach) {
+  const auto part = corner(true);
+  std::vector<surface_reference> references;
+  std::vector<surface_id> ids{2, 5, 1};
+  const auto of = [&](surface_id id) { return reference_to(id, part); };
+  refer_to_surfaces(ids, references, of);
+  EXPECT_THAT(ids, ElementsAre(place_of_reference(0), 5, place_of_reference(1)));
+  fem::load_case loads;
+  loads.constraints.push_back({.surfaces = {1}});
+  loads.loads.push_back({.surfaces = {7, 2}});
+  refer_to_surfaces(loads, references, of);
+  EXPECT_THAT(loads.constraints[0].surfaces, ElementsAre(place_of_reference(1)));
+  EXPECT_THAT(loads.loads[0].surfaces, ElementsAre(place_of_reference(2), place_of_reference(0)));
+  EXPECT_EQ(references.size(), 3U);
+}
+
 TEST(SurfaceReference, IsSaidInWords) {
   EXPECT_EQ(words_of(surface_reference{.at_mm = vec3{1, 2.5, -3}, .feature = feature_kind::hole}),
             "hole at (1, 2.5, -3) mm");

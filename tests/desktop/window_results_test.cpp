@@ -354,24 +354,62 @@ TEST_F(Recording, MakesTheSameVersionsOnTheCommandLine) {
   part().edits().go_to(0);
   note(0);
   recorder.stop();
-  const QString file = state.filePath("recorded.json");
-  QFile out(file);
-  ASSERT_TRUE(out.open(QIODevice::WriteOnly));
-  out.write(QByteArray::fromStdString(client::to_json(recorder.recipe())));
-  out.close();
+  for (const auto& recipe : {recorder.recipe(), recorder.portable_recipe()}) {
+    const QString file = state.filePath("recorded.json");
+    QFile out(file);
+    ASSERT_TRUE(out.open(QIODevice::WriteOnly));
+    out.write(QByteArray::fromStdString(client::to_json(recipe)));
+    out.close();
 
-  const auto said = run_on_the_command_line({file, "--mesh", plate()});
-  std::vector<std::string> there;
-  for (const auto& one : said["steps"].toArray()) {
-    const auto step = one.toObject();
-    if (step["step"] != "import" && step["step"] != "load_case")
-      there.push_back(step["version_id"].toString().toStdString());
+    const auto said = run_on_the_command_line({file, "--mesh", plate()});
+    std::vector<std::string> there;
+    for (const auto& one : said["steps"].toArray()) {
+      const auto step = one.toObject();
+      if (step["step"] != "import" && step["step"] != "load_case")
+        there.push_back(step["version_id"].toString().toStdString());
+    }
+    EXPECT_EQ(there, made);
+    EXPECT_GT(said["passed_over"].toInt(), 0);
+    EXPECT_EQ(recipe.name, "ctc01_plate.coarse");
+    for (const auto& step : recipe.steps)
+      EXPECT_FALSE(std::holds_alternative<client::apply_step>(step));
   }
-  EXPECT_EQ(there, made);
-  EXPECT_GT(said["passed_over"].toInt(), 0);
-  EXPECT_EQ(recorder.recipe().name, "ctc01_plate.coarse");
-  for (const auto& step : recorder.recipe().steps)
-    EXPECT_FALSE(std::holds_alternative<client::apply_step>(step));
+}
+
+/// No number of a surface is left: those of CAD by their names, others by a place, and what an edit
+/// made by that edit.
+TEST_F(Recording, SaysWhatSurfacesAreForOtherMeshes) {
+  open_plate();
+  auto& recorder = window->tools().recording.recording();
+  recorder.start();
+  part().edits().apply(
+    {"boss", {98}, {{"size", 0.03}, {"height", 0.02}}, {fem::load_policy::move, true}});
+  ASSERT_TRUE(wait([&] { return version() == 1 && shows_head(); }));
+  const auto& surfaces = part().head()->surface->surfaces();
+  const auto made = std::ranges::max_element(
+    surfaces, {}, [](const auto& row) { return row.first; });  // The newest.
+  part().edits().apply(
+    {"thicken", {made->first}, {{"depth", 0.001}}, {fem::load_policy::move, true}});
+  ASSERT_TRUE(wait([&] { return version() == 2 && shows_head(); }));
+  recorder.stop();
+
+  std::vector<client::edit_step> edits;
+  for (const auto& step : recorder.portable_recipe().steps) {
+    if (const auto* edit = std::get_if<client::edit_step>(&step))
+      edits.push_back(*edit);
+    if (const auto* loads = std::get_if<client::load_case_step>(&step)) {
+      EXPECT_FALSE(loads->references.empty());
+    }
+    EXPECT_STRNE(client::kind_of(step), "select");
+  }
+  ASSERT_EQ(edits.size(), 2U);
+  EXPECT_EQ(edits[0].label, "edit 1");
+  ASSERT_EQ(edits[0].references.size(), 1U);
+  EXPECT_TRUE(edits[0].references[0].at_mm || !edits[0].references[0].name.empty());
+  EXPECT_EQ(edits[0].references[0].made_by, "");
+  ASSERT_EQ(edits[1].references.size(), 1U);
+  EXPECT_EQ(edits[1].references[0].made_by, "edit 1");
+  EXPECT_EQ(edits[1].request.surfaces, std::vector{client::place_of_reference(0)});
 }
 
 }  // namespace

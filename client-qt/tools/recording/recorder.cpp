@@ -45,6 +45,13 @@ bool worth_a_step(const QString& id) {
   return wanted.contains(id);
 }
 
+/// Steps of the window that name surfaces by their numbers mean nothing on another mesh.
+bool names_surfaces(const char* kind) {
+  static const std::set<std::string_view> kinds{"select", "hidden", "probe", "remove_probe",
+                                                "measure"};
+  return kinds.contains(kind);
+}
+
 client::window_step window_step(const char* kind, const QJsonValue& value) {
   const QJsonDocument step(QJsonObject{{kind, value}});
   return {kind, step.toJson(QJsonDocument::Compact).toStdString()};
@@ -90,9 +97,13 @@ void recorder::wire() {
   connect(&in_.part, &document::edited, this, &recorder::committed);
   connect(&in_.part, &document::failed, this, [this] { pending_.reset(); });
   connect(&in_.part.edits(), &edit_requests::applied, this, [this](const edit_wish& wish) {
-    pending_ =
-      client::edit_step{{wish.operation.toStdString(), wish.surfaces, wish.values, wish.loads}};
+    const client::edit_step step{
+      {wish.operation.toStdString(), wish.surfaces, wish.values, wish.loads}};
+    pending_ = noted_step{step, placed(step)};
+    const auto* head = in_.part.head();
+    before_pending_ = head ? head->surface : nullptr;
   });
+  connect(&in_.part, &document::surface_changed, this, &recorder::note_made);
   connect(&tools_.selecting, &selection_tool::hidden_changed, this, &recorder::add_hidden);
   wire_loads();
   wire_probes();
@@ -100,12 +111,43 @@ void recorder::wire() {
 
 void recorder::wire_loads() {
   connect(&in_.part.loads(), &load_requests::was_set, this, &recorder::add_loads);
-  connect(&in_.part.loads(), &load_requests::was_removed, this,
-          [this](const std::string& name) { add(client::remove_load_case_step{name}); });
+  connect(&in_.part.loads(), &load_requests::was_removed, this, [this](const std::string& name) {
+    add(client::remove_load_case_step{name}, client::remove_load_case_step{name});
+  });
 }
 
 void recorder::add_loads(const fem::load_case& loads) {
-  add(client::load_case_step{loads});
+  client::load_case_step placed{loads};
+  client::refer_to_surfaces(placed.loads, placed.references,
+                            [this](surface_id id) { return reference_of(id); });
+  add(client::load_case_step{loads}, std::move(placed));
+}
+
+std::optional<client::surface_reference> recorder::reference_of(surface_id id) const {
+  const auto* head = in_.part.head();
+  if (!head || !head->surface)
+    return std::nullopt;
+  const auto made = made_by_.find(id);
+  return client::reference_to(id, *head->surface, made == made_by_.end() ? "" : made->second);
+}
+
+client::edit_step recorder::placed(client::edit_step step) const {
+  client::refer_to_surfaces(step.request.surfaces, step.references,
+                            [this](surface_id id) { return reference_of(id); });
+  return step;
+}
+
+/// What a recorded edit has made is known when its surface is there; where others follow sooner,
+/// its surfaces are known by their place alone.
+void recorder::note_made() {
+  const auto* head = in_.part.head();
+  if (!unseen_ || !unseen_->before || !head || !head->surface ||
+      head->info.version_id != unseen_->version_id)
+    return;
+  for (const auto& [id, row] : head->surface->surfaces())
+    if (!unseen_->before->surfaces().contains(id))
+      made_by_[id] = unseen_->label;
+  unseen_.reset();
 }
 
 void recorder::wire_probes() {
@@ -131,9 +173,12 @@ void recorder::add_probe(const probe& what) {
 }
 
 void recorder::start() {
-  recipe_ = {};
-  recipe_.name = title_of(in_.part.name()).words.toStdString();
+  title_ = title_of(in_.part.name()).words.toStdString();
+  steps_.clear();
   pending_.reset();
+  unseen_.reset();
+  made_by_.clear();
+  edits_ = 0;
   on_ = true;
   for (const auto& one : in_.part.loads().all())
     add_loads(one);
@@ -155,26 +200,44 @@ void recorder::stop() {
 }
 
 /// The same as before is no step; while only the state changes, its newest value counts.
-void recorder::add(client::recipe_step step) {
+void recorder::add(client::recipe_step step, std::optional<client::recipe_step> by_place) {
   if (!on_)
     return;
-  auto& steps = recipe_.steps;
-  if (!steps.empty() && same_case(steps.back(), step))
-    steps.pop_back();
-  for (auto before = steps.rbegin(); before != steps.rend() && is_state(*before); ++before) {
-    if (*before == step)
+  if (!steps_.empty() && same_case(steps_.back().by_number, step))
+    steps_.pop_back();
+  for (auto before = steps_.rbegin(); before != steps_.rend() && is_state(before->by_number);
+       ++before) {
+    if (before->by_number == step)
       return;
-    if (std::string_view(client::kind_of(*before)) == client::kind_of(step)) {
-      steps.erase(std::next(before).base());
+    if (std::string_view(client::kind_of(before->by_number)) == client::kind_of(step)) {
+      steps_.erase(std::next(before).base());
       break;
     }
   }
-  steps.push_back(std::move(step));
+  steps_.push_back({std::move(step), std::move(by_place)});
   emit changed();
 }
 
 void recorder::add(const char* kind, const QJsonValue& value) {
-  add(window_step(kind, value));
+  const client::recipe_step step = window_step(kind, value);
+  add(step, names_surfaces(kind) ? std::nullopt : std::optional(step));
+}
+
+client::recipe recorder::recipe() const {
+  client::recipe result;
+  result.name = title_;
+  for (const auto& one : steps_)
+    result.steps.push_back(one.by_number);
+  return result;
+}
+
+client::recipe recorder::portable_recipe() const {
+  client::recipe result;
+  result.name = title_;
+  for (const auto& one : steps_)
+    if (one.by_place)
+      result.steps.push_back(*one.by_place);
+  return result;
 }
 
 void recorder::look() {
@@ -195,14 +258,13 @@ void recorder::fields_changed() {
     return;
   auto& fields = tools_.results.panel();
   const auto note = [this](const char* key, const QJsonValue& value, const QJsonValue& at_first) {
-    const auto& steps = recipe_.steps;
-    const auto is_of_kind = [key](const auto& one) {
-      return std::string_view(client::kind_of(one)) == key;
+    const auto is_of_kind = [key](const noted_step& one) {
+      return std::string_view(client::kind_of(one.by_number)) == key;
     };
-    const auto known = std::find_if(steps.rbegin(), steps.rend(), is_of_kind);
+    const auto known = std::find_if(steps_.rbegin(), steps_.rend(), is_of_kind);
     const client::recipe_step step = window_step(key, value);
-    if (known == steps.rend() ? value != at_first : *known != step)
-      add(step);
+    if (known == steps_.rend() ? value != at_first : known->by_number != step)
+      add(step, step);
   };
   if (fields.field())  // Else it is only on its way.
     note("case", fields.shown_case(),
@@ -225,14 +287,20 @@ void recorder::section_moved() {
 void recorder::committed(const client::committed& what) {
   if (!on_)
     return;
-  if (what.cause == "edit" && pending_)
-    add(*std::exchange(pending_, std::nullopt));
-  else if (what.cause == "undo")
-    add(client::undo_step{});
-  else if (what.cause == "redo")
-    add(client::redo_step{});
-  else if (what.cause == "goto")
-    add(client::go_to_step{what.head.number});
+  if (what.cause == "edit" && pending_) {
+    auto made = *std::exchange(pending_, std::nullopt);
+    const auto label = "edit " + std::to_string(++edits_);
+    std::get<client::edit_step>(*made.by_place).label = label;
+    add(std::move(made.by_number), std::move(made.by_place));
+    unseen_ = unseen_edit{label, what.head.version_id, std::exchange(before_pending_, nullptr)};
+    note_made();  // The surface may be quicker.
+  } else if (what.cause == "undo") {
+    add(client::undo_step{}, client::undo_step{});
+  } else if (what.cause == "redo") {
+    add(client::redo_step{}, client::redo_step{});
+  } else if (what.cause == "goto") {
+    add(client::go_to_step{what.head.number}, client::go_to_step{what.head.number});
+  }
 }
 
 }  // namespace tedit::desktop

@@ -30,7 +30,7 @@ void recording_tool::add_light() {
   connect(recorder_, &recorder::changed, this, [this, light] {
     light->setVisible(recorder_->is_on());
     light->setText(QString::fromUtf8("\u25cf ") +
-                   tr("recording, steps: %1").arg(recorder_->recipe().steps.size()));
+                   tr("recording, steps: %1").arg(recorder_->steps()));
   });
 }
 
@@ -47,11 +47,15 @@ void recording_tool::ask_file() {
   auto* dialog = new QFileDialog(&in_.window, tr("Save the recorded steps"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
-  dialog->setNameFilter(tr("Recipes (*.json)"));
+  const auto portable =
+    tr("Recipes for other meshes and sizes, surfaces by name and place (*.json)");
+  dialog->setNameFilters({tr("Recipes, surfaces by number (*.json)"), portable});
   dialog->setDefaultSuffix("json");
-  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+  connect(dialog, &QFileDialog::fileSelected, this, [=, this](const QString& path) {
     QSaveFile file(path);
-    const auto text = QByteArray::fromStdString(client::to_json(recorder_->recipe()));
+    const auto recipe =
+      dialog->selectedNameFilter() == portable ? recorder_->portable_recipe() : recorder_->recipe();
+    const auto text = QByteArray::fromStdString(client::to_json(recipe));
     if (file.open(QIODevice::WriteOnly) && file.write(text) == text.size() && file.commit())
       emit in_.part.files().exported(path);
     else
