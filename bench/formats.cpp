@@ -65,7 +65,7 @@ expected<version_ptr> read(const std::filesystem::path& file, nlohmann::json& js
   auto found = read_any(std::span<const char>(*bytes));
   if (!found)
     return fail(found.error());
-  *bytes = {};
+  *bytes = std::vector<char>();  // With {} it would keep its memory.
   json["read"] = reading.taken();
   json["read_peak_mib"] = peak_mib();
   const measure building;

@@ -140,7 +140,7 @@ expected<imported_mesh> import_mesh_bytes(std::span<const char> bytes,
 
 expected<imported_mesh> import_mesh_bytes(std::vector<char>&& bytes,
                                           const std::string& length_unit) {
-  return import_within_memory(bytes, length_unit, [&] { bytes = {}; });
+  return import_within_memory(bytes, length_unit, [&] { bytes = std::vector<char>(); });
 }
 
 }  // namespace tedit
