@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "mesh/io/file.hpp"
 #include "mesh/io/import.hpp"
 #include "mesh/quality.hpp"
 #include "tests/support/parts.hpp"
@@ -46,6 +47,20 @@ TEST(PhysicalNames, BecomeSurfaceAndRegionNames) {
   EXPECT_EQ(mesh->version->find_surface(98)->name, "load");
   EXPECT_EQ(mesh->version->find_surface(72)->name, "fixed");
   EXPECT_EQ(mesh->version->regions().front().name, "bulk");
+}
+
+/// A large file would take its memory beside the part's while that is built.
+TEST(Import, LetsTheBytesGoOnceTheyAreRead) {
+  const auto file = test::parts_folder / "ctc01_plate/ctc01_plate.coarse.msh";
+  auto bytes = read_file(file);
+  ASSERT_TRUE(bytes);
+  auto& held = *bytes;
+  const auto kept = import_mesh_bytes(std::span<const char>(held), "mm");
+  EXPECT_GT(held.size(), 100'000U);
+  const auto mesh = import_mesh_bytes(std::move(held), "mm");
+  EXPECT_EQ(held.capacity(), 0U);
+  ASSERT_TRUE(mesh && kept);
+  EXPECT_EQ(mesh->version->id(), kept->version->id());
 }
 
 }  // namespace
