@@ -9563,6 +9563,18 @@
         <source>triangle %1 of the STL file has a corner that is no finite number</source>
         <translation>Dreieck %1 der STL-Datei hat eine Ecke, die keine endliche Zahl ist</translation>
     </message>
+    <message>
+        <source>Report this to the plugin&apos;s author: they may go round in a circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>operations ask for each other %1 deep, the last for %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the operation &quot;%1&quot; was asked of no version</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>server_lists</name>

@@ -275,6 +275,7 @@ bool conformance_report::ok() const {
 
 conformance_report test_plugin(const conformance_settings& settings,
                                const std::function<void(const conformance_row&)>& done) {
+  (void)built_in_operations();  // The checks have them from here.
   conformance_run first(settings, done, 0);
   auto report = first.run();
   for (std::uint32_t i = 1; i < first.operations(); ++i) {

@@ -5,9 +5,14 @@
 #include "ops/conformance/child.hpp"
 #include "ops/conformance/conformance.hpp"
 #include "ops/conformance/meshes.hpp"
+#include "ops/loader/catalogue.hpp"
 
 /// Inside of the kit: what its checks share.
 namespace tedit::ops::kit {
+
+/// The operations that a plugin may ask for (`context::apply_other`): those of the program. The
+/// first call loads them, which a confined process cannot.
+[[nodiscard]] const catalogue& built_in_operations();
 
 /// A selection that the operation accepts, found by the survey.
 struct working_case {

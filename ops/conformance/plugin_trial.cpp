@@ -6,7 +6,6 @@
 #include <typeinfo>
 
 #include "ops/conformance/kit.hpp"
-#include "ops/loader/catalogue.hpp"
 #include "ops/loader/operation_log.hpp"
 #include "ops/services/host_services.hpp"
 
@@ -37,6 +36,11 @@ void add_table_faults(const mesh_version& candidate, std::vector<finding>& fault
 }
 
 }  // namespace
+
+const catalogue& built_in_operations() {
+  static const catalogue all = load_default_catalogue(plugin_source::built_in);
+  return all;
+}
 
 void plugin_trial::open() {
   mark("loading the file");
@@ -93,6 +97,7 @@ expected<edit_result> plugin_trial::apply_by(const operation& code, const versio
   ctx.run = run;
   ctx.host = host.get();
   ctx.log = log_;
+  ctx.apply_other = others_of(built_in_operations(), ctx);
   try {
     return code.apply(mesh, {surfaces}, with, ctx);
   } catch (const std::bad_alloc&) {

@@ -164,9 +164,46 @@ expected<void> check_selection(const operation_description& description, const m
   return {};
 }
 
+namespace {
+
+/// Operations that ask for each other.
+constexpr int deepest = 8;
+
+expected<edit_result> run_nested(const catalogue& plugins, const std::string& id,
+                                 const version_ptr& mesh, const selection& picked,
+                                 const parameters& given, context& ctx, int depth);
+
+}  // namespace
+
+std::function<expected<edit_result>(const std::string&, const version_ptr&, const selection&,
+                                    const parameters&)>
+others_of(const catalogue& plugins, const context& ctx, int depth) {
+  return
+    [&plugins, &ctx, depth](const std::string& id, const version_ptr& mesh, const selection& picked,
+                            const parameters& given) -> expected<edit_result> {
+      if (depth >= deepest)
+        return fail(
+          ec::invalid_argument,
+          "operations ask for each other " + std::to_string(deepest) + " deep, the last for " + id,
+          "Report this to the plugin's author: they may go round in a circle");
+      if (!mesh)
+        return fail(ec::invalid_argument, "the operation \"" + id + "\" was asked of no version");
+      auto inner = ctx;
+      return run_nested(plugins, id, mesh, picked, given, inner, depth + 1);
+    };
+}
+
 expected<edit_result> run_operation(const catalogue& plugins, const std::string& id,
                                     const version_ptr& mesh, const selection& picked,
                                     const parameters& given, context& ctx) {
+  return run_nested(plugins, id, mesh, picked, given, ctx, 0);
+}
+
+namespace {
+
+expected<edit_result> run_nested(const catalogue& plugins, const std::string& id,
+                                 const version_ptr& mesh, const selection& picked,
+                                 const parameters& given, context& ctx, int depth) {
   const auto found = plugins.find(id);
   if (!found)
     return fail(found.error());
@@ -178,6 +215,7 @@ expected<edit_result> run_operation(const catalogue& plugins, const std::string&
     return fail(std::move(fits.error()));
   if (!ctx.log)
     ctx.log = [](std::string_view) {};
+  ctx.apply_other = others_of(plugins, ctx, depth);
   const auto name = "the operation \"" + id + "\" of the plugin " + entry.plugin;
   const char* const to_author =
     "The version is unchanged. \"tedit plugin test\" looks for such "
@@ -196,5 +234,7 @@ expected<edit_result> run_operation(const catalogue& plugins, const std::string&
     return fail(ec::internal, name + " threw something that is no std::exception", to_author);
   }
 }
+
+}  // namespace
 
 }  // namespace tedit::ops

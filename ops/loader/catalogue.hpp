@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -116,6 +117,12 @@ inline constexpr double refusal_search_s = 3;
 [[nodiscard]] expected<edit_result> run_operation(const catalogue& plugins, const std::string& id,
                                                   const version_ptr& mesh, const selection& picked,
                                                   const parameters& given, context& ctx);
+
+/// What `context::apply_other` is for an operation that these plugins' host applies, `depth` deep
+/// in others; both must outlive it.
+[[nodiscard]] std::function<expected<edit_result>(const std::string&, const version_ptr&,
+                                                  const selection&, const parameters&)>
+others_of(const catalogue& plugins, const context& ctx, int depth = 0);
 
 /// `operation_not_found`, with the nearest of the ids that there are.
 [[nodiscard]] error unknown_operation(const std::string& id, const std::vector<std::string>& known);

@@ -7,6 +7,7 @@
 #pragma GCC diagnostic ignored "-Wrestrict"
 #endif
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -167,19 +168,6 @@ public:
     const execution& run) = 0;
 };
 
-/// What `apply` works with beside its input.
-struct context {
-  execution run;             ///< `run.cancel.cancelled()` and `run.report(fraction, stage)`.
-  services* host = nullptr;  ///< Never null when the host calls; lives as long as the call.
-  /// Takes a line for whoever runs the program: the server's log, stderr of the command line, what
-  /// the conformance kit tells of a check. The host puts the operation's name before it.
-  /// Thread-safe; never empty.
-  std::function<void(std::string_view)> log = [](std::string_view) {};
-  /// How long a refusal may look for what would work instead, s, beside the edit itself;
-  /// 0: not at all, as for a preview, whose answer must come at once.
-  double search_s = 0;
-};
-
 /// A number that only this operation has, measured on the result: shown with the edit's report and
 /// carried to the protocol and the JSON of `tedit edit` under its id.
 struct figure {
@@ -209,6 +197,59 @@ struct edit_result {
   std::size_t bodies_added = 0;
 };
 
+/// Both as one edit: `then` was made of `first`'s candidate. Tets of the first that the second has
+/// taken away are left out, changes of volume and bodies add up, and what is asked of the host's
+/// optimizer is the more of both. `surfaces_used` are the first's: others need not be the part's.
+[[nodiscard]] inline edit_result followed_by(const edit_result& first, edit_result then) {
+  std::set<tet_id> touched(then.touched.begin(), then.touched.end());
+  for (const auto t : first.touched)
+    if (t < then.candidate->tet_slots() && then.candidate->is_live_tet(t))
+      touched.insert(t);
+  then.touched.assign(touched.begin(), touched.end());
+  then.volume_change += first.volume_change;
+  then.bodies_added += first.bodies_added;
+  then.quality_floor = std::min(first.quality_floor, then.quality_floor);
+  if (first.improve > then.improve) {
+    then.improve = first.improve;
+    then.thorough = first.thorough;
+  }
+  then.notices.insert(then.notices.begin(), first.notices.begin(), first.notices.end());
+  for (const auto& one : first.figures)
+    if (std::ranges::find(then.figures, one.id, &figure::id) == then.figures.end())
+      then.figures.push_back(one);
+  then.surfaces_used = first.surfaces_used;
+  return then;
+}
+
+/// What `apply` works with beside its input.
+struct context {
+  execution run;             ///< `run.cancel.cancelled()` and `run.report(fraction, stage)`.
+  services* host = nullptr;  ///< Never null when the host calls; lives as long as the call.
+  /// Takes a line for whoever runs the program: the server's log, stderr of the command line, what
+  /// the conformance kit tells of a check. The host puts the operation's name before it.
+  /// Thread-safe; never empty.
+  std::function<void(std::string_view)> log = [](std::string_view) {};
+  /// How long a refusal may look for what would work instead, s, beside the edit itself;
+  /// 0: not at all, as for a preview, whose answer must come at once.
+  double search_s = 0;
+
+  // -- since SDK 7.5 ---------------------------------------------------------------------------
+
+  /// Applies another operation of the host to a version, as a person would ask for it: values by
+  /// the ids of its parameters, in SI units or as text, defaults for the rest, all checked. What
+  /// comes back is what that operation made, neither improved nor checked by the host, which sees
+  /// to that once for all: hand on what `followed_by` makes of several. Errors: of the other
+  /// operation; `operation_not_found`; `invalid_argument` where operations ask for each other eight
+  /// deep. Never empty when the host calls.
+  std::function<expected<edit_result>(const std::string& operation, const version_ptr& mesh,
+                                      const selection& picked, const parameters& values)>
+    apply_other = [](const std::string& id, const version_ptr&, const selection&,
+                     const parameters&) -> expected<edit_result> {
+    return fail(ec::operation_not_found, "there is no operation \"" + id + "\" here",
+                "Operations call others through a host");
+  };
+};
+
 /// One editing operation. Instances are stateless: `apply` may run on several threads at once.
 class operation {
 public:
@@ -236,7 +277,7 @@ inline constexpr std::uint32_t plugin_magic = 0x54454450;  // "TEDP"
 /// member, `services` a function or `parameter_type` a kind, each at its end. No number of a
 /// release of the program is in a plugin: a patch release changes neither.
 inline constexpr std::uint32_t sdk_major = 7;
-inline constexpr std::uint32_t sdk_minor = 4;
+inline constexpr std::uint32_t sdk_minor = 5;
 
 #define TEDIT_TEXT_OF(x) #x
 #define TEDIT_TEXT(x) TEDIT_TEXT_OF(x)
@@ -329,6 +370,9 @@ inline void add_edit(std::vector<layout_fact>& facts) {
   auto known = of("context", c, c.run, c.host, c.log, c.search_s);
   known.size = 0;
   facts.push_back(known);
+  auto later = of("context since 7.5", c, c.apply_other);
+  later.size = 0;
+  facts.push_back(later);
   const expected<edit_result> answer;
   const auto& r = *answer;
   const auto& [candidate, touched, change, improve, thorough, used, notices, figures, floor,
