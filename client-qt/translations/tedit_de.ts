@@ -9565,15 +9565,15 @@
     </message>
     <message>
         <source>Report this to the plugin&apos;s author: they may go round in a circle</source>
-        <translation type="unfinished"></translation>
+        <translation>Dem Verfasser des Plugins melden: sie laufen vielleicht im Kreis</translation>
     </message>
     <message>
         <source>operations ask for each other %1 deep, the last for %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Operationen rufen einander %1 tief auf, die letzte %2</translation>
     </message>
     <message>
         <source>the operation &quot;%1&quot; was asked of no version</source>
-        <translation type="unfinished"></translation>
+        <translation>die Operation „%1“ wurde ohne Fassung aufgerufen</translation>
     </message>
 </context>
 <context>
