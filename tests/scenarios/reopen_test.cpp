@@ -97,7 +97,7 @@ TEST(Reopen, WhoHasASurfaceIsSentTheDifferenceToIt) {
   const auto fresh = connect(host->url());
   value(fresh->open("part", true, false));
   value(fresh->wait_surface(edited, patience));
-  expect_same(back->surface(), fresh->surface());
+  test::expect_same(back->surface(), fresh->surface());
 
   // The head's own surface is not sent at all.
   auto again = connect(host->url());
@@ -105,7 +105,7 @@ TEST(Reopen, WhoHasASurfaceIsSentTheDifferenceToIt) {
   const auto nothing = value(again->wait_surface(edited, patience));
   EXPECT_FALSE(nothing.full);
   EXPECT_EQ(nothing.facets_changed + nothing.vertices_sent, 0U);
-  expect_same(again->surface(), fresh->surface());
+  test::expect_same(again->surface(), fresh->surface());
 }
 
 /// A document of that name may be another one by now.
@@ -125,7 +125,7 @@ TEST(Reopen, WhoHasASurfaceOfAnotherPartIsSentTheWhole) {
   auto back = connect(host->url());
   value(back->open("plate", true, false, held));
   EXPECT_TRUE(value(back->wait_surface(plate, patience)).full);
-  expect_same(back->surface(), wanted);
+  test::expect_same(back->surface(), wanted);
 }
 
 TEST(Reopen, TheSurfaceOfAnyVersionIsThereWithoutMovingTheHead) {
