@@ -132,7 +132,8 @@ private:
 expected<std::vector<char>> exchange(unique_fd& to_child, unique_fd& from_child,
                                      std::span<const char> input,
                                      std::chrono::steady_clock::time_point deadline,
-                                     const std::string& name, const execution& run) {
+                                     std::size_t most, const std::string& name,
+                                     const execution& run) {
   std::vector<char> output;
   std::array<char, 65536> buffer;
   while (true) {
@@ -164,6 +165,9 @@ expected<std::vector<char>> exchange(unique_fd& to_child, unique_fd& from_child,
         output.insert(output.end(), buffer.data(), buffer.data() + got);
       else if (errno != EAGAIN && errno != EINTR)
         return output;
+      if (most > 0 && output.size() > most)
+        return fail(ec::mesher_failed, name + " wrote more than " + std::to_string(most) +
+                                         " bytes, which is no answer");
     }
   }
 }
@@ -223,7 +227,7 @@ expected<std::vector<char>> run_child(const std::vector<std::string>& command,
   in->out.reset();
   out->in.reset();
   fcntl(in->in.get(), F_SETFL, O_NONBLOCK);
-  auto output = exchange(in->in, out->out, input, deadline, name, run);
+  auto output = exchange(in->in, out->out, input, deadline, limits.output_bytes, name, run);
   if (!output)
     child->end();
   const auto status = child->wait();

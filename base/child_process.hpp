@@ -19,6 +19,7 @@ namespace tedit {
 struct child_limits {
   std::chrono::milliseconds time{8000};
   std::size_t memory_bytes = std::size_t{2} << 30;  ///< Address space; 0 for no limit.
+  std::size_t output_bytes = 0;                     ///< On stdout; 0 for no limit.
 };
 
 /// Starts a program with these stdin and stdout; its stderr goes nowhere. It is killed when this
@@ -31,7 +32,7 @@ struct child_limits {
 /// process dies. A process that may start no program has it started by another
 /// (`start_programs_by`). Errors: `service_unavailable` when it cannot be started, `timeout`, also
 /// where its own timer of processor time ended it (SIGPROF), `cancelled`, `mesher_failed` naming
-/// the exit status or signal.
+/// the exit status or signal, or that it wrote more than it may.
 [[nodiscard]] expected<std::vector<char>> run_child(const std::vector<std::string>& command,
                                                     std::span<const char> input,
                                                     const child_limits& limits,

@@ -32,7 +32,7 @@ expected<void> repair_part(imported_part& part, const execution& run) {
   double worst = radius_ratios(*part.version).min;
   if (worst >= least_quality)
     return {};
-  const auto plugins = ops::load_default_catalogue();
+  const auto plugins = ops::load_default_catalogue(ops::plugin_source::built_in);
   for (std::size_t i = 0; i < tolerances.size() && worst < least_quality; ++i) {
     const double size = static_cast<double>(tolerances.size());
     const auto step = run.part(static_cast<double>(i) / size, static_cast<double>(i + 1) / size);

@@ -39,7 +39,8 @@ constexpr std::size_t cache_bytes = std::size_t{64} << 20;
 worker_set start_threads(caf::actor_system& system, const server_options& options,
                          const std::shared_ptr<page_cache>& cache, const page_store_actor& pages) {
   const auto which = options.safe_mode ? ops::plugin_source::built_in : ops::plugin_source::all;
-  auto plugins = std::make_shared<const ops::catalogue>(ops::load_default_catalogue(which));
+  auto plugins = std::make_shared<ops::catalogue>();
+  plugins->load(ops::find_plugins(which));
   return {system.spawn(make_modeling, cache, pages, plugins, std::nullopt),
           system.spawn(make_optimizer, cache, pages), system.spawn(make_solver, cache, pages)};
 }

@@ -9575,6 +9575,26 @@
         <source>the operation &quot;%1&quot; was asked of no version</source>
         <translation>die Operation „%1“ wurde ohne Fassung aufgerufen</translation>
     </message>
+    <message>
+        <source>Try again once its file is written; describe() must say the same every time</source>
+        <translation>Nochmals versuchen, sobald seine Datei geschrieben ist; describe() muss jedes Mal dasselbe sagen</translation>
+    </message>
+    <message>
+        <source>gave no answer that can be read</source>
+        <translation>gab keine lesbare Antwort</translation>
+    </message>
+    <message>
+        <source>its description holds control characters, or bytes that are no UTF-8</source>
+        <translation>seine Beschreibung enthält Steuerzeichen oder Bytes, die kein UTF-8 sind</translation>
+    </message>
+    <message>
+        <source>its description is longer than 4 MiB</source>
+        <translation>seine Beschreibung ist länger als 4 MiB</translation>
+    </message>
+    <message>
+        <source>the plugin %1 describes %2 otherwise than a moment ago</source>
+        <translation>das Plugin %1 beschreibt %2 anders als eben noch</translation>
+    </message>
 </context>
 <context>
     <name>server_lists</name>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "ops/loader/catalogue.hpp"
 
-#include <dlfcn.h>
-
 #include <algorithm>
 #include <cstdlib>
 
@@ -12,19 +10,25 @@ namespace tedit::ops {
 
 namespace {
 
-using query_function = const plugin_descriptor* (*)();
-
-/// Why a file must not be loaded, by a process that tried; nothing when it may.
-std::optional<refused_plugin> refusal_of(const std::filesystem::path& file) {
-  const auto fault = probe_plugin(file);
+/// As it is shown; nothing where the plugin may be used.
+std::optional<refused_plugin> refusal_of(const std::filesystem::path& file,
+                                         const std::string& fault) {
   if (fault.empty())
     return std::nullopt;
-  // A verdict that is kept is one on a file that crashed or hung.
-  std::error_code code;
+  // A fault that is kept is that of a file that crashed or hung.
   const auto kept = probe_cache(file);
-  const bool crashed = !kept.empty() && std::filesystem::exists(kept, code);
+  const bool crashed = !kept.empty() && kept_verdict(kept) == fault;
   return refused_plugin{file, fault, crashed ? 1U : 0U,
                         crashed ? "remove " + kept.string() + " to have it tried again" : ""};
+}
+
+found_plugin look_at(const std::filesystem::path& file, load_care care) {
+  if (care == load_care::direct)
+    return {file, std::nullopt, std::nullopt};
+  if (care == load_care::probe)
+    return {file, refusal_of(file, probe_plugin(file)), std::nullopt};
+  auto said = describe_plugin(file);
+  return {file, refusal_of(file, said.refusal), std::move(said.operations)};
 }
 
 void find_in(const std::filesystem::path& folder, load_care care,
@@ -36,56 +40,49 @@ void find_in(const std::filesystem::path& folder, load_care care,
       files.push_back(item.path());
   std::ranges::sort(files);
   for (const auto& file : files)
-    found.push_back({file, care == load_care::probe ? refusal_of(file) : std::nullopt});
+    found.push_back(look_at(file, care));
 }
 
 }  // namespace
 
-expected<void> catalogue::load_file(const std::filesystem::path& file) {
-  const auto refuse = [&](const std::string& reason) {
-    refused_.push_back({file, reason, 0, {}});
-    return fail(ec::plugin_refused, "the plugin " + file.string() + " is not used: " + reason,
-                "Rebuild it against this version, or remove it");
-  };
-  try {
-    void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (!library)
-      return refuse(readable_dl_error(dlerror()));
-    const auto query = reinterpret_cast<query_function>(dlsym(library, "tedit_plugin_query"));
-    if (!query)
-      return refuse("it has no entry tedit_plugin_query");
-    const auto* descriptor = query();
-    if (const auto fault = descriptor_fault(descriptor, offer_); !fault.empty())
-      return refuse(fault);
-    std::vector<entry> fresh;
-    for (std::uint32_t i = 0; i < descriptor->operation_count; ++i) {
-      auto* made = descriptor->create(i);
-      if (!made)
-        return refuse("operation " + std::to_string(i) + " could not be made");
-      std::shared_ptr<const operation> code(
-        made, [descriptor](const operation* p) { descriptor->destroy(const_cast<operation*>(p)); });
-      auto description = code->describe();
-      const auto same = [&](const entry& e) { return e.description.id == description.id; };
-      if (std::ranges::any_of(entries_, same) || std::ranges::any_of(fresh, same))
-        return refuse("the operation id " + description.id + " is taken already");
-      fresh.push_back({std::move(description), std::move(code), file,
-                       std::string(descriptor->plugin_name) + " " + descriptor->plugin_version});
-    }
-    std::ranges::move(fresh, std::back_inserter(entries_));
-  } catch (const std::exception& e) {
-    return refuse(std::string("it failed while it was loaded: ") + e.what());
-  } catch (...) {
-    return refuse("it failed while it was loaded: it threw something that is no std::exception");
+expected<void> catalogue::refuse(const std::filesystem::path& file, const std::string& reason) {
+  refused_.push_back({file, reason, 0, {}});
+  return fail(plugin_not_used(file, reason));
+}
+
+expected<void> catalogue::add(const std::filesystem::path& file,
+                              std::vector<callable_operation> made) {
+  std::vector<entry> fresh;
+  for (auto& one : made) {
+    const auto& id = one.about.description.id;
+    const auto same = [&](const entry& e) { return e.description.id == id; };
+    if (std::ranges::any_of(entries_, same) || std::ranges::any_of(fresh, same))
+      return refuse(file, "the operation id " + id + " is taken already");
+    fresh.push_back(
+      {std::move(one.about.description), std::move(one.code), file, std::move(one.about.plugin)});
   }
+  std::ranges::move(fresh, std::back_inserter(entries_));
   return {};
 }
 
+expected<void> catalogue::load_file(const std::filesystem::path& file) {
+  auto made = load_plugin(file, offer_);
+  return made ? add(file, std::move(*made)) : refuse(file, made.error().message);
+}
+
 void catalogue::load(const std::vector<found_plugin>& found) {
-  for (const auto& one : found)
-    if (one.refusal)
+  for (const auto& one : found) {
+    if (one.refusal) {
       refused_.push_back(*one.refusal);
-    else
-      (void)load_file(one.file);  // A refusal is noted in refused().
+    } else if (one.described) {
+      std::vector<callable_operation> made;
+      for (const auto& about : *one.described)
+        made.push_back(make_deferred(about, one.file, offer_));
+      (void)add(one.file, std::move(made));  // A refusal is noted in refused().
+    } else {
+      (void)load_file(one.file);
+    }
+  }
 }
 
 void catalogue::load_directory(const std::filesystem::path& folder, load_care care) {
@@ -113,7 +110,7 @@ error unknown_operation(const std::string& id, const std::vector<std::string>& k
           {}};
 }
 
-std::vector<found_plugin> find_plugins(plugin_source which) {
+std::vector<found_plugin> find_plugins(plugin_source which, load_care others) {
   std::vector<found_plugin> result;
   // First, so that no other plugin takes the id of a built-in one.
   find_in(executable_folder() / "../lib/tedit/plugins", load_care::direct, result);
@@ -124,20 +121,20 @@ std::vector<found_plugin> find_plugins(plugin_source which) {
     while (!left.empty()) {
       const auto end = std::min(left.find(':'), left.size());
       if (end > 0)
-        find_in(left.substr(0, end), load_care::probe, result);
+        find_in(left.substr(0, end), others, result);
       left.remove_prefix(std::min(end + 1, left.size()));
     }
   }
   if (const char* data = std::getenv("XDG_DATA_HOME"))
-    find_in(std::filesystem::path(data) / "tedit/plugins", load_care::probe, result);
+    find_in(std::filesystem::path(data) / "tedit/plugins", others, result);
   else if (const char* home = std::getenv("HOME"))
-    find_in(std::filesystem::path(home) / ".local/share/tedit/plugins", load_care::probe, result);
+    find_in(std::filesystem::path(home) / ".local/share/tedit/plugins", others, result);
   return result;
 }
 
 catalogue load_default_catalogue(plugin_source which) {
   catalogue result;
-  result.load(find_plugins(which));
+  result.load(find_plugins(which, load_care::describe));
   return result;
 }
 

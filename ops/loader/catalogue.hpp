@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "ops/loader/plugin_fit.hpp"
+#include "ops/loader/plugin_file.hpp"
 
 namespace tedit::ops {
 
@@ -23,7 +23,10 @@ struct refused_plugin {
 /// How a folder's plugins are loaded.
 enum class load_care {
   direct,  ///< At once: they came with the program.
-  probe,   ///< Each is loaded in a child process first; see `probe_plugin`.
+  probe,   ///< Each is loaded in a child process first; see `probe_plugin`. For confined processes.
+  /// Only in child processes: one describes it (`describe_plugin`), and each that calls `apply`
+  /// loads it then (`run_operation_in_child`).
+  describe,
 };
 
 /// Which plugins a program uses.
@@ -36,6 +39,8 @@ enum class plugin_source {
 struct found_plugin {
   std::filesystem::path file;
   std::optional<refused_plugin> refusal;  ///< It must not be loaded.
+  /// What a child process found in it: it is loaded when one of them is called.
+  std::optional<std::vector<described_operation>> described;
 };
 
 /// The operations that are there. Plugin libraries stay loaded until the program ends: code of
@@ -54,7 +59,7 @@ public:
   /// Loads one plugin. Errors: `plugin_refused` naming the file and what is wrong with it.
   [[nodiscard]] expected<void> load_file(const std::filesystem::path& file);
 
-  /// Loads what was found; a refusal is noted and the rest goes on.
+  /// Takes in what was found; a refusal is noted and the rest goes on.
   void load(const std::vector<found_plugin>& found);
 
   /// Both for every .so in a folder, by name. A folder that is not there holds none.
@@ -67,6 +72,9 @@ public:
   [[nodiscard]] expected<const entry*> find(const std::string& id) const;
 
 private:
+  expected<void> refuse(const std::filesystem::path& file, const std::string& reason);
+  expected<void> add(const std::filesystem::path& file, std::vector<callable_operation> made);
+
   sdk_offer offer_;
   std::vector<entry> entries_;
   std::vector<refused_plugin> refused_;
@@ -74,11 +82,13 @@ private:
 
 /// The plugins of the installation, lib/tedit/plugins beside the executable's folder, then those of
 /// others: the folders in $TEDIT_PLUGIN_PATH (colon-separated) and $XDG_DATA_HOME/tedit/plugins
-/// (without the variable ~/.local/share/tedit/plugins). What others made is probed, which a
-/// confined process cannot do.
-[[nodiscard]] std::vector<found_plugin> find_plugins(plugin_source which = plugin_source::all);
+/// (without the variable ~/.local/share/tedit/plugins). `others`: how what others made is looked
+/// at; a confined process cannot look.
+[[nodiscard]] std::vector<found_plugin> find_plugins(plugin_source which = plugin_source::all,
+                                                     load_care others = load_care::probe);
 
-/// Finds and loads them.
+/// All of them, for a process that is not confined: what came with the program is loaded, what
+/// others made is described by child processes. Cost: some ms for each of the others.
 [[nodiscard]] catalogue load_default_catalogue(plugin_source which = plugin_source::all);
 
 // -- loading what may be broken ------------------------------------------------------------------
@@ -89,9 +99,16 @@ private:
 /// on what is installed and are found anew. Cost: some ms; then a hash of the file.
 [[nodiscard]] std::string probe_plugin(const std::filesystem::path& file);
 
+/// The same, and what its operations are. Its process is started each time, unless the content is
+/// known to crash or hang. Cost: some ms.
+[[nodiscard]] plugin_report describe_plugin(const std::filesystem::path& file);
+
 /// Where the verdict on a file's content is kept: $XDG_CACHE_HOME/tedit/probes/HASH (~/.cache
 /// without the variable); empty when there is no such place or the file cannot be read.
 [[nodiscard]] std::filesystem::path probe_cache(const std::filesystem::path& file);
+
+/// What is kept there: "ok", why it must not be loaded, or nothing.
+[[nodiscard]] std::string kept_verdict(const std::filesystem::path& cache);
 
 /// The dynamic loader's message as a sentence for people: which library or function is missing.
 [[nodiscard]] std::string readable_dl_error(const char* message);

@@ -73,14 +73,18 @@ error named(error e, const catalogue::entry& entry) {
   return e;
 }
 
-/// The copy needs what its plugin needs; its answer goes through a file in memory.
-forked_limits limits_of(const operation_limits& given, const catalogue::entry& entry) {
+/// The copy needs what its plugin needs, and those that it asks for others; its answer goes through
+/// a file in memory.
+forked_limits limits_of(const operation_limits& given, const catalogue& plugins) {
   forked_limits limits;
   limits.time = given.time;
   limits.memory_bytes = available_memory().bytes;
   if (!sandbox::is_wanted())
     return limits;
-  auto reach = reach_of_plugins({entry.file});
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : plugins.entries())
+    files.push_back(entry.file);
+  auto reach = reach_of_plugins(files);
   reach.file_bytes = limits.memory_bytes;
   limits.confine = [reach] { return confine_to(reach); };
   limits.program = given.program;
@@ -106,7 +110,7 @@ expected<edit_result> run_operation_in_child(const catalogue& plugins, const std
       line.send(answer_message,
                 to_bytes(run_operation(plugins, id, mesh, picked, given, in_child), *mesh));
     },
-    limits_of(limits, **found), ctx.run,
+    limits_of(limits, plugins), ctx.run,
     [&](std::uint32_t kind, std::span<const std::byte> message) {
       take(kind, message, ctx, bytes);
     });

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <memory>
 #include <span>
+#include <utility>
 
 #include "base/child_process.hpp"
 #include "base/hash.hpp"
@@ -21,9 +22,15 @@ constexpr std::chrono::milliseconds probe_limit{10000};
 constexpr std::size_t probe_memory = std::size_t{4} << 30;
 constexpr std::string_view fine = "ok";
 
+/// Empty where it is no file, or cannot be read.
 std::string content_of(const fs::path& file) {
+  std::error_code code;
+  const auto size = fs::file_size(file, code);
+  if (code)
+    return {};
+  std::string content(size, '\0');
   std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
+  return in.read(content.data(), static_cast<std::streamsize>(size)) ? content : std::string();
 }
 
 fs::path probe_program() {
@@ -49,6 +56,31 @@ std::string demangled(const std::string& symbol) {
   return status == 0 && text ? text.get() : symbol;
 }
 
+/// Has it loaded by another process. Where there is a cache, what came of it is kept.
+plugin_report try_out(const fs::path& file, const fs::path& cache) {
+  const auto said = run_child({probe_program().string(), file.string()}, {},
+                              {probe_limit, probe_memory, most_report_bytes}, {});
+  if (said) {
+    auto report = report_from_bytes(std::as_bytes(std::span(*said)));
+    if (!report)
+      return {"it breaks the process that loads it: tedit-probe " + report.error().message, {}};
+    if (report->refusal.empty() && !cache.empty())
+      keep(cache, std::string(fine));
+    return std::move(*report);
+  }
+  const auto& e = said.error();
+  if (e.code == ec::service_unavailable)
+    return {"it could not be tried out: " + e.message, {}};
+  auto verdict = e.code == ec::timeout ? "it hangs while it is loaded (tried for " +
+                                           std::to_string(probe_limit.count() / 1000) + " s)"
+                                       : "it breaks the process that loads it: " + e.message;
+  if (cache.empty())
+    return {std::move(verdict), {}};
+  verdict += "; remove " + cache.string() + " to have it tried again";
+  keep(cache, verdict);
+  return {std::move(verdict), {}};
+}
+
 }  // namespace
 
 fs::path probe_cache(const fs::path& file) {
@@ -66,29 +98,25 @@ fs::path probe_cache(const fs::path& file) {
   return folder / "tedit/probes" / to_hex(hash_bytes(std::as_bytes(std::span(key))));
 }
 
+std::string kept_verdict(const fs::path& cache) {
+  return cache.empty() ? std::string() : content_of(cache);
+}
+
 std::string probe_plugin(const fs::path& file) {
   const auto cache = probe_cache(file);
-  if (const auto kept = cache.empty() ? std::string() : content_of(cache); !kept.empty())
+  if (const auto kept = kept_verdict(cache); !kept.empty())
     return kept == fine ? std::string() : kept;
-  const auto said =
-    run_child({probe_program().string(), file.string()}, {}, {probe_limit, probe_memory}, {});
-  if (said) {
-    const std::string verdict(said->begin(), said->end());
-    if (verdict == fine && !cache.empty())
-      keep(cache, verdict);
-    return verdict == fine ? std::string() : verdict;
-  }
-  const auto& e = said.error();
-  if (e.code == ec::service_unavailable)
-    return "it could not be tried out: " + e.message;
-  auto verdict = e.code == ec::timeout ? "it hangs while it is loaded (tried for " +
-                                           std::to_string(probe_limit.count() / 1000) + " s)"
-                                       : "it breaks the process that loads it: " + e.message;
-  if (cache.empty())
-    return verdict;
-  verdict += "; remove " + cache.string() + " to have it tried again";
-  keep(cache, verdict);
-  return verdict;
+  return try_out(file, cache).refusal;
+}
+
+plugin_report describe_plugin(const fs::path& file) {
+  const auto cache = probe_cache(file);
+  auto kept = kept_verdict(cache);
+  const bool known = kept == fine;
+  if (!kept.empty() && !known)
+    return {std::move(kept), {}};
+  // What was fine is not put away for one bad moment of the machine.
+  return try_out(file, known ? fs::path() : cache);
 }
 
 std::string readable_dl_error(const char* message) {
