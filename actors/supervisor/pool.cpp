@@ -354,7 +354,8 @@ void pool_state::dismiss_retired(clock::time_point at) {
     const auto current = c++;
     if (!current->retired || current->work)
       continue;
-    if (too_many-- <= 0 && at - *current->retired < options.retired_stay)
+    const bool has_results = current->jobs_done > 0;
+    if (too_many-- <= 0 && has_results && at - *current->retired < options.retired_stay)
       continue;
     current->line->cut();
     caf::anon_send_exit(current->enlister, caf::exit_reason::user_shutdown);

@@ -70,7 +70,8 @@ struct pool_options {
   unsigned quarantine_after = 3;  ///< Failed edits of one operation; see `quarantine`.
   /// For a process to end whose link is down: a large one goes slowly. A frozen one is ended.
   std::chrono::milliseconds last_moments{1000};
-  std::chrono::milliseconds retired_stay{30000};  ///< For others to fetch its last result.
+  /// For others to fetch its last result; one that did nothing goes at once.
+  std::chrono::milliseconds retired_stay{30000};
   /// For a worker of another machine to join again whose connection was lost: work waits for it
   /// where there is no other.
   std::chrono::milliseconds comeback{10000};

@@ -146,6 +146,17 @@ TEST_F(RemotePool, OneThatLeavesEndsItsWorkAndGetsNoMore) {
   EXPECT_EQ(status().nodes.size(), 1u);
 }
 
+TEST_F(RemotePool, OneThatLeavesWithoutHavingWorkedIsNotKept) {
+  start_with(0);
+  const auto leaving = join("a");
+  join("b");
+  tell(caf::actor_cast<caf::actor>(pool_), retirement{"it is being stopped"},
+       leaving->worker.address());
+  pass(milliseconds(200));
+  EXPECT_EQ(leaving->how, "was cut off") << "nobody fetches anything of it";
+  EXPECT_EQ(status().nodes.size(), 1u);
+}
+
 TEST_F(RemotePool, ADocumentsWorkGoesWhereItsLastWorkWas) {
   start_with(0);
   const auto first = join("a");
