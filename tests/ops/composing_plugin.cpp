@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // A plugin that asks for other operations: a round boss with a hole through its middle.
-#include "ops/sdk/operation.hpp"
+#include "ops/tools/placement.hpp"
 
 namespace {
 
