@@ -41,6 +41,7 @@ constexpr layout_fact frozen[] = {
   {"parameter_type since 7.3", 4, 0x8},
   {"parameter_type since 7.4", 4, 0xc},
   {"context", 0, 0x41af36a824c7daf5},
+  {"context since 7.5", 0, 0x89f2807b5479ead},
   {"edit_result", 192, 0x6201b55312d2f59},
   {"expected<edit_result>", 336, 0x831c807b4ea29ad},
   {"figure", 104, 0x5f15b9f6bc82186d},
