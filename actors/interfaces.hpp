@@ -8,6 +8,7 @@
 #include "actors/comparison_messages.hpp"
 #include "actors/local_messages.hpp"
 #include "actors/messages.hpp"
+#include "actors/print_messages.hpp"
 #include "actors/worker_roles.hpp"
 
 /// Every actor of the system by what it answers. Read this file first; docs/actors.md draws it.
@@ -214,6 +215,8 @@ using session_actor = caf::typed_actor<
   caf::replies_to<version_request>::with<session_version>,
   // What two versions differ in, and their fields as far as these are at hand.
   caf::replies_to<comparison_request>::with<compared>,
+  // What hinders printing a version.
+  caf::replies_to<print_request>::with<print_checked>,
   // Ends a request early; it is then answered with `cancelled`.
   caf::reacts_to<cancel_atom, std::uint64_t>,
   // Closes the document and ends, unless somebody wants something of it (`conflict`). The answer is

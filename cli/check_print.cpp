@@ -32,11 +32,6 @@ struct check_print_options {
 constexpr std::size_t most_places = 10;
 constexpr std::size_t most_surfaces = 6;
 
-// What the marked file shows, as places in its palette.
-enum mark : std::uint8_t { sound, thin, overhang, both };
-const std::vector<byte_colour> mark_colours{
-  {190, 190, 190}, {214, 40, 40}, {247, 158, 27}, {142, 36, 170}};
-
 nlohmann::ordered_json triple_of(vec3 v) {
   return {v.x, v.y, v.z};
 }
@@ -143,13 +138,6 @@ std::string describe(const check_print_options& options, const print_report& rep
   return text;
 }
 
-mark mark_of(const print_report& report, facet_id f) {
-  const bool is_thin = std::isfinite(report.thickness[f]);
-  if (report.overhanging[f])
-    return is_thin ? both : overhang;
-  return is_thin ? thin : sound;
-}
-
 /// 1 at the corners of what is marked, 0 elsewhere.
 field marks_at_vertices(const mesh_version& mesh, const char* name,
                         const std::function<bool(facet_id)>& is_marked) {
@@ -172,9 +160,11 @@ file_terms marked_terms(const file_format& format, const mesh_version& mesh,
       marks_at_vertices(mesh, "overhang", [&](facet_id f) { return report.overhanging[f]; })};
   if (!format.keeps.colours)
     return terms;
-  terms.colours.palette = mark_colours;
+  for (const auto& [red, green, blue] : print_mark_colours)
+    terms.colours.palette.push_back({red, green, blue});
   for (facet_id f = 0; f < mesh.facet_slots(); ++f)
-    terms.colours.of_facets.push_back(mesh.is_live_facet(f) ? mark_of(report, f) : sound);
+    terms.colours.of_facets.push_back(
+      static_cast<std::uint8_t>(mesh.is_live_facet(f) ? mark_of(report, f) : print_mark::sound));
   return terms;
 }
 

@@ -4,12 +4,14 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/execution.hpp"
 #include "client/comparison.hpp"
 #include "client/preview.hpp"
+#include "client/print_check.hpp"
 #include "client/surface.hpp"
 #include "client/types.hpp"
 #include "fem/load_case.hpp"
@@ -187,6 +189,13 @@ public:
   [[nodiscard]] expected<comparison> compare(std::uint32_t before, std::uint32_t after,
                                              const std::string& load_case = {},
                                              const execution& run = {});
+
+  /// What hinders printing a version in 3D, by its number; nothing: the head. Changes nothing.
+  /// Errors: also `invalid_argument` for a number that is out of its range (`tedit.v1.CheckPrint`),
+  /// `not_found`.
+  [[nodiscard]] expected<print_check> check_print(const print_settings& settings,
+                                                  std::optional<std::uint32_t> version = {},
+                                                  const execution& run = {});
 
   /// Solves on the head, one load case or several together; from then on the server solves every
   /// new head with these settings. Fields that arrived before the call are forgotten.

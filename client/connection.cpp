@@ -251,6 +251,8 @@ expected<void> connection::dispatch(v1::ServerMessage& message, std::size_t byte
       return dispatch_bulk(message, message.version_surface().surface().stream(), bytes);
     case body::kVersionsCompared:
       return dispatch_bulk(message, message.versions_compared().stream(), bytes);
+    case body::kPrintChecked:
+      return dispatch_bulk(message, message.print_checked().stream(), bytes);
     case body::kEditPreview:
       return dispatch_bulk(message, message.edit_preview().surface().stream(), bytes);
     case body::kCommitted:

@@ -20,7 +20,7 @@ void set_terms(const change_terms& terms, Request& request) {
 }
 
 /// What a client is made of; its requests are spread over client.cpp, comparison.cpp, files.cpp,
-/// library.cpp and notes.cpp.
+/// library.cpp, notes.cpp and print_check.cpp.
 struct client::impl {
   impl(const connect_options& given, events handlers)
       : options(given), link(follow_renames(std::move(handlers))) {}

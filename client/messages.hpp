@@ -3,6 +3,7 @@
 
 #include "client/comparison.hpp"
 #include "client/preview.hpp"
+#include "client/print_check.hpp"
 #include "client/streams.hpp"
 #include "client/surface.hpp"
 #include "client/types.hpp"
@@ -43,6 +44,11 @@ namespace tedit::client {
 /// do not fit or a mark is none.
 [[nodiscard]] expected<comparison> read_comparison(const v1::VersionsCompared& message,
                                                    const incoming_stream& stream);
+
+/// The check with the marks of its complete stream. Errors: `protocol_error`, also when sizes do
+/// not fit or a mark is none.
+[[nodiscard]] expected<print_check> read_print_check(const v1::PrintChecked& message,
+                                                     const incoming_stream& stream);
 
 /// The same for fields. Errors: `protocol_error`, also when the sizes do not match.
 [[nodiscard]] expected<field_event> read_field(const v1::FieldUpdate& message,

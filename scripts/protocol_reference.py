@@ -15,7 +15,7 @@ PROTOCOL = ROOT / "protocol/tedit/v1"
 ERRORS = ROOT / "base/error.hpp"
 PAGE = ROOT / "docs/protocol_reference.md"
 # In the order in which they are read: what holds them all first.
-FILES = ["envelope", "library", "session", "operation", "report", "comparison", "load_case"]
+FILES = ["envelope", "library", "session", "operation", "report", "comparison", "print", "load_case"]
 
 FIELD = re.compile(r"(?:(optional|repeated) )?(map<[^>]+>|[\w.]+) (\w+) = (\d+);(?:\s*//\s*(.*))?$")
 VALUE = re.compile(r"(\w+) = (\d+);(?:\s*//\s*(.*))?$")

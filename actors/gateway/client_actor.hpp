@@ -232,6 +232,7 @@ using request_rows = std::vector<request_row>;
 [[nodiscard]] request_rows export_requests();    ///< exports.cpp
 [[nodiscard]] request_rows library_requests();   ///< library.cpp
 [[nodiscard]] request_rows note_requests();      ///< notes.cpp
+[[nodiscard]] request_rows print_requests();     ///< print_checks.cpp
 [[nodiscard]] request_rows section_requests();   ///< section.cpp
 [[nodiscard]] request_rows upload_requests();    ///< uploads.cpp
 

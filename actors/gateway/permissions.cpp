@@ -20,6 +20,7 @@ access_role least_role(const v1::ClientMessage& message) {
     case v1::ClientMessage::kWatchFields:
     case v1::ClientMessage::kGetSurface:
     case v1::ClientMessage::kCompareVersions:
+    case v1::ClientMessage::kCheckPrint:
       return access_role::view;
     // Without a name it makes a document.
     case v1::ClientMessage::kOpenDocument:

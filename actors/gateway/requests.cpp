@@ -31,9 +31,10 @@ using handler_map = std::map<v1::ClientMessage::BodyCase, decltype(request_row::
 const handler_map& handlers() {
   static const auto all = [] {
     handler_map result;
-    for (const auto& rows : {server_requests(), compare_requests(), document_requests(),
-                             edit_requests(), export_requests(), library_requests(),
-                             note_requests(), section_requests(), upload_requests()})
+    for (const auto& rows :
+         {server_requests(), compare_requests(), document_requests(), edit_requests(),
+          export_requests(), library_requests(), note_requests(), print_requests(),
+          section_requests(), upload_requests()})
       for (const auto& row : rows)
         result.emplace(row.kind, row.handle);
     return result;

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // What two versions differ in: put together by the session, worked out on a thread aside.
 
-#include "actors/errors.hpp"
-#include "actors/session/session.hpp"
-#include "actors/worker/worker_jobs.hpp"
+#include "actors/session/aside.hpp"
 #include "base/logging/logging.hpp"
 #include "compare/compare_fields.hpp"
 #include "compare/compare_versions.hpp"
@@ -136,29 +134,18 @@ expected<compared> carry_out(const comparison_work& work, const cancel_token& to
 
 }  // namespace
 
-/// A request, and how it is ended early.
-struct session_state::comparison_run {
-  comparison_request asked;
-  caf::typed_response_promise<compared> promise;
-  cancel_token token = {};
-};
-
 caf::result<compared> session_state::compare(const comparison_request& request) {
-  const auto known = graph.nodes().size();
   for (const auto number : {request.before, request.after})
-    if (number >= known)
-      return to_caf({ec::not_found,
-                     "there is no version " + std::to_string(number),
-                     "The history lists those that there are",
-                     {}});
+    if (number >= graph.nodes().size())
+      return to_caf(no_version(number));
   const auto cases = all_cases(side_of(graph.nodes()[request.before], {}),
                                side_of(graph.nodes()[request.after], {}));
   if (!request.load_case.empty() && std::ranges::count(cases, request.load_case) == 0)
     return to_caf(no_such_case(request, cases));
   auto promise = self->make_response_promise<compared>();
-  comparisons.push_back(std::make_shared<comparison_run>(comparison_run{request, promise}));
-  if (comparisons.size() == 1)
-    begin_comparison();
+  const cancel_token token;
+  add_aside({request.ticket, token, [=, this] { begin_comparison(request, token, promise); },
+             [=](const error& e) mutable { promise.deliver(to_caf(e)); }});
   return promise;
 }
 
@@ -213,85 +200,37 @@ expected<std::pair<solved, solved>> session_state::results_to_compare(
               "Solve both with the same element order, then compare again");
 }
 
-void session_state::begin_comparison() {
-  const auto run = comparisons.front();
-  const auto refuse = [=, this](const error& e) { end_comparison(run, fail(e)); };
+void session_state::begin_comparison(const comparison_request& request, const cancel_token& token,
+                                     const caf::typed_response_promise<compared>& promise) {
+  const auto refuse = [this](const error& e) { refuse_aside(e); };
   const auto take_after = [=, this](const version_ptr& before) {
     with_mesh(
-      run->asked.after, [=, this](const version_ptr& after) { run_comparison(run, before, after); },
+      request.after,
+      [=, this](const version_ptr& after) {
+        run_comparison(request, {before, after}, token, promise);
+      },
       refuse);
   };
-  with_mesh(run->asked.before, take_after, refuse);
+  with_mesh(request.before, take_after, refuse);
 }
 
 /// The fields are those at hand when its turn has come.
-void session_state::run_comparison(const std::shared_ptr<comparison_run>& run,
-                                   const version_ptr& before_mesh, const version_ptr& after_mesh) {
-  const auto& before = graph.nodes()[run->asked.before];
-  const auto& after = graph.nodes()[run->asked.after];
+void session_state::run_comparison(const comparison_request& request,
+                                   const std::pair<version_ptr, version_ptr>& meshes,
+                                   const cancel_token& token,
+                                   const caf::typed_response_promise<compared>& promise) {
+  const auto& before = graph.nodes()[request.before];
+  const auto& after = graph.nodes()[request.after];
   auto work = std::make_shared<comparison_work>(comparison_work{
-    side_of(before, before_mesh), side_of(after, after_mesh), {}, {}, run->asked.load_case});
+    side_of(before, meshes.first), side_of(after, meshes.second), {}, {}, request.load_case});
   for (const auto& load_case : all_cases(work->before, work->after)) {
     if (auto found = results_to_compare(before, after, load_case))
       work->pairs.push_back({load_case, std::move(found->first), std::move(found->second)});
     else
       work->not_compared.push_back({load_case, found.error().message, found.error().remedy});
   }
-  const bool own = !parts.reader;
-  const auto thread = own ? self->spawn<job_thread, caf::linked + caf::detached>() : parts.reader;
-  auto made = std::make_shared<std::optional<expected<compared>>>();
-  job_task task{[made, work, token = run->token] {
-    *made = guarded<compared>([&] { return carry_out(*work, token); });
-  }};
-  const auto finish = [=, this](const error* failure) {
-    if (own) {
-      self->unlink_from(thread);  // Its end is not ours.
-      caf::anon_send_exit(thread, caf::exit_reason::user_shutdown);
-    }
-    if (failure)
-      return end_comparison(run, fail(*failure));
-    end_comparison(run, std::move(**made));
-  };
-  self->request(thread, answer_limit, std::move(task))
-    .then([=](acknowledged) { finish(nullptr); },
-          [=](const caf::error& e) {
-            const auto failure = from_caf(e, "the comparison");
-            finish(&failure);
-          });
-}
-
-void session_state::end_comparison(const std::shared_ptr<comparison_run>& run,
-                                   expected<compared> result) {
-  comparisons.pop_front();
-  if (result) {
-    result->document = parts.document;
-    run->promise.deliver(std::move(*result));
-  } else {
-    run->promise.deliver(to_caf(result.error()));
-  }
-  if (!comparisons.empty())
-    begin_comparison();
-}
-
-/// The one that runs is answered once its thread has noticed.
-bool session_state::leave_comparison(std::uint64_t ticket) {
-  const auto found = std::ranges::find_if(
-    comparisons, [&](const auto& one) { return ticket != 0 && one->asked.ticket == ticket; });
-  if (found == comparisons.end())
-    return false;
-  const auto run = *found;
-  run->token.cancel();
-  if (found == comparisons.begin())
-    return true;
-  comparisons.erase(found);
-  run->promise.deliver(
-    to_caf({ec::cancelled, "the request was cancelled before it began", {}, {}}));
-  return true;
-}
-
-void session_state::end_comparisons() {
-  for (const auto& one : comparisons)
-    one->token.cancel();
+  do_aside<compared>(
+    promise, [=] { return carry_out(*work, token); }, "the comparison");
 }
 
 }  // namespace tedit::actors

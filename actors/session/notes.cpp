@@ -277,8 +277,8 @@ caf::result<acknowledged> session_state::erase(const caf::actor& asker) {
                      std::to_string(others.size()) + ": " + names_of(others) + ")",
                    "Have it closed there, then try again",
                    {}});
-  if (running || !waiting.empty() || !previews.empty() || !comparisons.empty() || copying > 0 ||
-      ended || (active && !active->waiting.empty()) || progress_of.size() > (active ? 1U : 0U))
+  if (running || !waiting.empty() || !previews.empty() || !asides.empty() || copying > 0 || ended ||
+      (active && !active->waiting.empty()) || progress_of.size() > (active ? 1U : 0U))
     return to_caf({ec::conflict,
                    "the document " + parts.document + " is being worked with",
                    "Wait until that is done or cancel it, then try again",

@@ -43,7 +43,7 @@ session_state::session_state() {
 
 session_state::~session_state() {
   caf::anon_send_exit(ear, caf::exit_reason::user_shutdown);
-  end_comparisons();
+  cancel_asides();
   stop_cad();
   numbers::open_documents().add(-1);
   numbers::subscriptions().add(-static_cast<double>(subscribers.size()));
@@ -148,7 +148,7 @@ caf::result<session_version> session_state::version(const version_request& reque
 
 bool session_state::is_unused() const {
   return subscribers.empty() && !running && waiting.empty() && previews.empty() && !active &&
-         progress_of.empty() && comparisons.empty() && copying == 0 && loading == 0 && !ended &&
+         progress_of.empty() && asides.empty() && copying == 0 && loading == 0 && !ended &&
          !(cad_running && cad_running->storing);
 }
 
@@ -247,7 +247,7 @@ void session_state::cancel(std::uint64_t ticket) {
   }
   if (previews.contains(ticket))
     return end_preview(ticket, {ec::cancelled, "the preview was cancelled", {}, {}});
-  if (leave_solve(ticket) || leave_comparison(ticket))
+  if (leave_solve(ticket) || leave_aside(ticket))
     return;
   const auto found = std::ranges::find(waiting, ticket, &command::ticket);
   if (found == waiting.end())
@@ -356,6 +356,7 @@ session_actor::behavior_type make_session(session_pointer self, session_parts pa
           [&state](const history_request& request) { return state.history(request); },
           [&state](const version_request& request) { return state.version(request); },
           [&state](const comparison_request& request) { return state.compare(request); },
+          [&state](const print_request& request) { return state.check_print(request); },
           [&state](cancel_atom, std::uint64_t ticket) { state.cancel(ticket); },
           [&state](end_atom) { return state.end(); },
           [&state](rest_atom, std::uint64_t number) { state.look(number); }};

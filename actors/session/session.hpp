@@ -60,11 +60,11 @@ struct session_parts {
 struct session_state;
 using session_pointer = session_actor::stateful_pointer<session_state>;
 
-/// The state of a session. Its members are what the handlers call; they are split over nine
+/// The state of a session. Its members are what the handlers call; they are split over eleven
 /// files: session.cpp (subscribers, queue, history), edits.cpp (everything that moves the head),
 /// changes.cpp (what every change must pass), meshes.cpp (meshes of versions), candidates.cpp
-/// (operations, previews), notes.cpp (what makes no new version), solves.cpp, comparisons.cpp and
-/// cad.cpp (edits on the CAD model).
+/// (operations, previews), notes.cpp (what makes no new version), solves.cpp, asides.cpp (what is
+/// worked out aside), comparisons.cpp, print_checks.cpp and cad.cpp (edits on the CAD model).
 struct session_state {
   /// Something that changes the document. One at a time, in the order of arrival.
   struct command {
@@ -95,8 +95,15 @@ struct session_state {
   struct checked_candidate;
   struct kept_candidate;
   struct preview_run;
-  // In comparisons.cpp.
-  struct comparison_run;
+
+  /// What is worked out on a thread aside, in the order of arrival.
+  struct aside_run {
+    std::uint64_t ticket = 0;
+    cancel_token token;
+    std::function<void()> begin;  ///< Its turn has come.
+    std::function<void(const error&)> refuse;
+    job_id job = {};  ///< That tells of its progress; of none, nobody is told.
+  };
 
   /// A request that waits for the solve that runs.
   struct solve_waiter {
@@ -319,25 +326,49 @@ struct session_state {
   /// How a solve goes on; its end is told to those who wait for it by their answer.
   void tell(const active_solve& which, solve_phase phase, const std::string& message = {});
 
+  // -- asides.cpp -----------------------------------------------------------------------------
+
+  /// It waits for its turn; the one before it says when that has come.
+  void add_aside(aside_run run);
+  /// In aside.hpp.
+  template <class Result>
+  void do_aside(caf::typed_response_promise<Result> promise,
+                const std::function<expected<Result>()>& work, const char* what);
+  /// Calls `done` when the thread has done it, or with why it has not.
+  void run_aside(job_task task, const char* what, const std::function<void(const error*)>& done);
+  /// The first one cannot be begun.
+  void refuse_aside(const error& why);
+  /// The first one was answered; the next begins.
+  void end_aside();
+  /// Ends one early; whether there was one with this ticket.
+  bool leave_aside(std::uint64_t ticket);
+  /// Has the thread of one that runs notice that nobody wants it.
+  void cancel_asides();
+
   // -- comparisons.cpp ------------------------------------------------------------------------
 
   /// Refuses what is not there; else it waits for its turn.
   caf::result<compared> compare(const comparison_request& request);
-  /// The first of those that wait.
-  void begin_comparison();
-  void run_comparison(const std::shared_ptr<comparison_run>& run, const version_ptr& before,
-                      const version_ptr& after);
-  void end_comparison(const std::shared_ptr<comparison_run>& run, expected<compared> result);
-  /// Ends a comparison early; whether there was one with this ticket.
-  bool leave_comparison(std::uint64_t ticket);
-  /// Has the thread of one that runs notice that nobody wants it.
-  void end_comparisons();
+  void begin_comparison(const comparison_request& request, const cancel_token& token,
+                        const caf::typed_response_promise<compared>& promise);
+  /// `meshes`: before and after.
+  void run_comparison(const comparison_request& request,
+                      const std::pair<version_ptr, version_ptr>& meshes, const cancel_token& token,
+                      const caf::typed_response_promise<compared>& promise);
   /// Results of a version with a load case as it is now, used last first.
   [[nodiscard]] std::vector<const kept_result*> results_of(const graph_node& node,
                                                            const std::string& load_case) const;
   /// Two that may be compared. Errors: which version has no field, or why they do not fit.
   [[nodiscard]] expected<std::pair<solved, solved>> results_to_compare(
     const graph_node& before, const graph_node& after, const std::string& load_case) const;
+
+  // -- print_checks.cpp -----------------------------------------------------------------------
+
+  /// Refuses what is not there; else it waits for its turn.
+  caf::result<print_checked> check_print(const print_request& request);
+  /// `wanted`: all but what is found.
+  void begin_print_check(print_checked wanted, const cancel_token& token,
+                         const caf::typed_response_promise<print_checked>& promise);
 
   // -- cad.cpp --------------------------------------------------------------------------------
 
@@ -397,7 +428,7 @@ struct session_state {
   std::optional<active_solve> active;
   std::list<kept_result> results;  ///< Used last at the front.
 
-  std::deque<std::shared_ptr<comparison_run>> comparisons;  ///< The first one runs.
+  std::deque<aside_run> asides;  ///< The first one runs.
 
   std::map<std::uint32_t, std::optional<edit_request>> cad_waiting;  ///< Null: not known.
   std::optional<cad_run> cad_running;
@@ -426,6 +457,13 @@ void session_state::broadcast(const Event& event, const std::set<caf::actor>& an
   for (const auto& [subscriber, who] : subscribers)
     if (!answered.contains(subscriber))
       caf::anon_send(subscriber, event);
+}
+
+[[nodiscard]] inline error no_version(std::uint32_t number) {
+  return {ec::not_found,
+          "there is no version " + std::to_string(number),
+          "The history lists those that there are",
+          {}};
 }
 
 /// The load cases of a version by their names. Errors: `not_found`.

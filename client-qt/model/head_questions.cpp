@@ -63,32 +63,54 @@ void head_questions::compare(std::uint32_t before, std::uint32_t after,
     std::move(done));
 }
 
-void head_questions::cut(const vec3& at, const vec3& normal, const std::string& load_case,
-                         remote::reply<client::section> done) {
-  // The server cuts in one go: an answer that comes after a cancel is dropped.
+template <class T>
+std::function<void()> head_questions::ask_listed(const QString& title, remote::work<T> call,
+                                                 remote::reply<T> done) {
   struct question {
     int job = 0;
     ticket asked;
-    remote::reply<client::section> done;
+    remote::reply<T> done;
   };
   auto& all = part_.work();
   auto open = std::make_shared<question>();
-  const auto finish = [&all, open](expected<client::section> got) {
+  const auto finish = [&all, open](expected<T> got) {
     all.end(open->job);
     if (auto then = std::exchange(open->done, nullptr))
       then(std::move(got));
   };
-  open->done = std::move(done);
-  open->job = all.begin(tr("Section"), [open, finish] {
+  const auto cancel = [open, finish] {
     open->asked.cancel();
-    finish(fail(ec::cancelled, "the section was cancelled"));
-  });
-  open->asked = link_.run<client::section>(
-    [=](client::client& c, const execution& run) { return c.cut(at, normal, load_case, run); },
-    finish,
-    [&all, open](double fraction, const QString& stage) {
+    finish(fail(ec::cancelled, "the question was cancelled"));
+  };
+  open->done = std::move(done);
+  open->job = all.begin(title, cancel);
+  open->asked =
+    link_.run<T>(std::move(call), finish, [&all, open](double fraction, const QString& stage) {
       all.progress(open->job, fraction, words_of(stage.toStdString()));
     });
+  return cancel;
+}
+
+void head_questions::cut(const vec3& at, const vec3& normal, const std::string& load_case,
+                         remote::reply<client::section> done) {
+  ask_listed<client::section>(
+    tr("Section"),
+    [=](client::client& c, const execution& run) { return c.cut(at, normal, load_case, run); },
+    std::move(done));
+}
+
+std::function<void()> head_questions::check_print(const print_settings& settings,
+                                                  std::uint32_t number,
+                                                  remote::reply<shared_print_check> done) {
+  return ask_listed<shared_print_check>(
+    tr("Check for printing"),
+    [=](client::client& c, const execution& run) -> expected<shared_print_check> {
+      auto got = c.check_print(settings, number, run);
+      if (!got)
+        return fail(std::move(got.error()));
+      return std::make_shared<const client::print_check>(std::move(*got));
+    },
+    std::move(done));
 }
 
 }  // namespace tedit::desktop

@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -55,8 +56,18 @@ public:
   /// at once.
   void cut(const vec3& at, const vec3& normal, const std::string& load_case,
            remote::reply<client::section> done);
+  /// What hinders printing a version, with its progress among what runs. What is returned cancels
+  /// it: it is `cancelled` at once, as when that is done there. Nothing once it is answered.
+  std::function<void()> check_print(const print_settings& settings, std::uint32_t number,
+                                    remote::reply<shared_print_check> done);
 
 private:
+  /// Lists it among what runs. The server may notice a cancel late: it is `cancelled` here at once,
+  /// and an answer that comes after that is dropped.
+  template <class T>
+  std::function<void()> ask_listed(const QString& title, remote::work<T> call,
+                                   remote::reply<T> done);
+
   document& part_;
   remote& link_;
 };

@@ -13,6 +13,7 @@ namespace tedit::desktop {
 using shared_surface = std::shared_ptr<const client::surface_model>;
 using shared_field = std::shared_ptr<const client::field_event>;
 using shared_comparison = std::shared_ptr<const client::comparison>;
+using shared_print_check = std::shared_ptr<const client::print_check>;
 
 /// What is held of one version: always its row, the rest once it was seen.
 struct version_record {

@@ -23,6 +23,7 @@ toolbox::toolbox(window_context& in)
       settings(in, results.panel()),
       certifying(in),
       probing(in, results.panel(), selecting),
+      printing(in, selecting),
       jobs(in),
       help(in, operations.panel()),
       tour(in, documents, operations.panel()),

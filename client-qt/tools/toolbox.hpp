@@ -11,6 +11,7 @@
 #include "client-qt/tools/loads/loads_tool.hpp"
 #include "client-qt/tools/operations/operations_tool.hpp"
 #include "client-qt/tools/pictures/pictures_tool.hpp"
+#include "client-qt/tools/printing/print_tool.hpp"
 #include "client-qt/tools/probes/probes_tool.hpp"
 #include "client-qt/tools/receipt/receipt_tool.hpp"
 #include "client-qt/tools/recipes/recipes_tool.hpp"
@@ -47,6 +48,7 @@ struct toolbox {
   settings_tool settings;
   certify_tool certifying;
   probes_tool probing;
+  print_tool printing;
   jobs_tool jobs;
   help_tool help;
   tour_tool tour;

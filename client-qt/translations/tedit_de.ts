@@ -286,6 +286,10 @@
         <source>Section</source>
         <translation>Schnitt</translation>
     </message>
+    <message>
+        <source>Check for printing</source>
+        <translation>Auf Druckbarkeit prüfen</translation>
+    </message>
 </context>
 <context>
     <name>jobs</name>
@@ -1866,6 +1870,96 @@
     <message>
         <source>Loads and supports that change: %1</source>
         <translation>Lasten und Lager, die sich ändern: %1</translation>
+    </message>
+</context>
+<context>
+    <name>print_phrases</name>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 und %2 weitere</translation>
+    </message>
+</context>
+<context>
+    <name>print_rows</name>
+    <message>
+        <source>... and %1 smaller</source>
+        <translation>... und %1 kleinere</translation>
+    </message>
+    <message>
+        <source>Watertight</source>
+        <translation>Wasserdicht</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no: %1 open edges</source>
+        <translation>nein: %1 offene Kanten</translation>
+    </message>
+    <message>
+        <source>Thin walls</source>
+        <translation>Dünne Wände</translation>
+    </message>
+    <message>
+        <source>none under %1</source>
+        <translation>keine unter %1</translation>
+    </message>
+    <message>
+        <source>%1 under %2, both sides counted</source>
+        <translation>%1 unter %2, beide Seiten gezählt</translation>
+    </message>
+    <message>
+        <source>down to %1, %2</source>
+        <translation>bis herab zu %1, %2</translation>
+    </message>
+    <message>
+        <source>Overhangs</source>
+        <translation>Überhänge</translation>
+    </message>
+    <message>
+        <source>none beyond %1</source>
+        <translation>keine über %1</translation>
+    </message>
+    <message>
+        <source>%1 lean more than %2</source>
+        <translation>%1 hängen mehr als %2 über</translation>
+    </message>
+    <message>
+        <source>up to %1, %2</source>
+        <translation>bis %1, %2</translation>
+    </message>
+    <message>
+        <source>Edges of more than two facets</source>
+        <translation>Kanten mit mehr als zwei Facetten</translation>
+    </message>
+    <message>
+        <source>Facets that meet others they should not</source>
+        <translation>Facetten, die andere treffen, die sie nicht sollten</translation>
+    </message>
+    <message>
+        <source>Closed voids</source>
+        <translation>Geschlossene Hohlräume</translation>
+    </message>
+    <message>
+        <source>Bodies</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Surface area</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>Bounding box</source>
+        <translation>Umgebender Quader</translation>
+    </message>
+    <message>
+        <source>On the plate</source>
+        <translation>Auf der Bauplatte</translation>
     </message>
 </context>
 <context>
@@ -9595,6 +9689,26 @@
         <source>the plugin %1 describes %2 otherwise than a moment ago</source>
         <translation>das Plugin %1 beschreibt %2 anders als eben noch</translation>
     </message>
+    <message>
+        <source>looking for crossing facets</source>
+        <translation>sucht Facetten, die einander schneiden</translation>
+    </message>
+    <message>
+        <source>looking for overhangs</source>
+        <translation>sucht Überhänge</translation>
+    </message>
+    <message>
+        <source>measuring walls</source>
+        <translation>misst Wände</translation>
+    </message>
+    <message>
+        <source>the check</source>
+        <translation>die Prüfung</translation>
+    </message>
+    <message>
+        <source>the marks of a check for printing do not fit to its %1 facets</source>
+        <translation>die Marken einer Prüfung auf Druckbarkeit passen nicht zu ihren %1 Facetten</translation>
+    </message>
 </context>
 <context>
     <name>server_lists</name>
@@ -11560,6 +11674,132 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
     <message>
         <source>Looks for the largest value that the part takes, for up to 3 s</source>
         <translation>Sucht den größten Wert, der am Bauteil möglich ist, bis zu 3 s lang</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::print_panel</name>
+    <message>
+        <source>Least wall thickness</source>
+        <translation>Kleinste Wandstärke</translation>
+    </message>
+    <message>
+        <source>not looked for</source>
+        <translation>nicht gesucht</translation>
+    </message>
+    <message>
+        <source>Largest overhang</source>
+        <translation>Größter Überhang</translation>
+    </message>
+    <message>
+        <source>From the build direction: 0 is an upright wall, 90 a ceiling</source>
+        <translation>Von der Baurichtung aus: 0 ist eine senkrechte Wand, 90 eine Decke</translation>
+    </message>
+    <message>
+        <source>Build direction</source>
+        <translation>Baurichtung</translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
+    </message>
+    <message>
+        <source>z, downwards</source>
+        <translation>z, abwärts</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>x, backwards</source>
+        <translation>x, rückwärts</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>y, backwards</source>
+        <translation>y, rückwärts</translation>
+    </message>
+    <message>
+        <source>Off the selected flat wall</source>
+        <translation>Weg von der gewählten ebenen Wand</translation>
+    </message>
+    <message>
+        <source>From the plate on</source>
+        <translation>Von der Bauplatte aus</translation>
+    </message>
+    <message>
+        <source>Least wall</source>
+        <translation>Kleinste Wand</translation>
+    </message>
+    <message>
+        <source>Overhang</source>
+        <translation>Überhang</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>Was gefunden wurde</translation>
+    </message>
+    <message>
+        <source>thin</source>
+        <translation>dünn</translation>
+    </message>
+    <message>
+        <source>overhanging</source>
+        <translation>überhängend</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>beides</translation>
+    </message>
+    <message>
+        <source>The least wall is a length, as 1.2; empty: thin walls are not looked for.</source>
+        <translation>Die kleinste Wand ist eine Länge, etwa 1,2; leer: dünne Wände werden nicht gesucht.</translation>
+    </message>
+    <message>
+        <source>The overhang is an angle from 0° (an upright wall) to 90° (a ceiling).</source>
+        <translation>Der Überhang ist ein Winkel von 0° (eine senkrechte Wand) bis 90° (eine Decke).</translation>
+    </message>
+    <message>
+        <source>Select one flat wall: it lies on the plate, and the part is built away from it.</source>
+        <translation>Eine ebene Wand auswählen: Sie liegt auf der Bauplatte, und das Teil wird von ihr weg gebaut.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>Checking ...</source>
+        <translation>Wird geprüft ...</translation>
+    </message>
+    <message>
+        <source>Something in version %1 hinders printing.</source>
+        <translation>In Version %1 steht etwas dem Druck im Weg.</translation>
+    </message>
+    <message>
+        <source>Nothing in version %1 hinders printing.</source>
+        <translation>In Version %1 steht dem Druck nichts im Weg.</translation>
+    </message>
+    <message>
+        <source>A click turns the view there, Enter picks the surfaces</source>
+        <translation>Ein Klick dreht die Ansicht dorthin, die Eingabetaste wählt die Flächen</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::print_tool</name>
+    <message>
+        <source>Check for printing</source>
+        <translation>Auf Druckbarkeit prüfen</translation>
+    </message>
+    <message>
+        <source>Watertight, thin walls and overhangs, marked on the part; volume and bounding box</source>
+        <translation>Wasserdicht, dünne Wände und Überhänge, am Teil markiert; Volumen und umgebender Quader</translation>
     </message>
 </context>
 <context>

@@ -25,6 +25,7 @@ constexpr double sharp_angle_deg = 30;
 struct cell {
   std::array<vtkIdType, 3> points;
   surface_id surface;
+  facet_id facet;
 };
 
 /// Vertices and triangles with dense numbers.
@@ -67,8 +68,9 @@ void add_points(const client::surface_model& surface, const std::vector<std::uin
 void add_cells(const client::surface_model& surface, const std::vector<vtkIdType>& number_of,
                raw_part& raw) {
   raw.cells.reserve(surface.total_facets());
-  surface.facets().for_each([&](std::uint32_t, const client::surface_facet& f) {
-    raw.cells.push_back({{number_of[f.v[0]], number_of[f.v[1]], number_of[f.v[2]]}, f.surface});
+  surface.facets().for_each([&](std::uint32_t slot, const client::surface_facet& f) {
+    raw.cells.push_back(
+      {{number_of[f.v[0]], number_of[f.v[1]], number_of[f.v[2]]}, f.surface, slot});
   });
   std::ranges::stable_sort(raw.cells, {}, &cell::surface);
 }
@@ -170,11 +172,13 @@ std::shared_ptr<const part_geometry> build_part(const client::surface_model& sur
     part->vertices.assign(numbers->GetPointer(0),
                           numbers->GetPointer(0) + numbers->GetNumberOfTuples());
   part->cell_surface.reserve(raw.cells.size());
+  part->cell_facet.reserve(raw.cells.size());
   for (const auto& c : raw.cells) {
     const auto at = static_cast<std::int64_t>(part->cell_surface.size());
     auto [range, first] = part->cells.try_emplace(c.surface, at, at);
     range->second.second = at + 1;
     part->cell_surface.push_back(c.surface);
+    part->cell_facet.push_back(c.facet);
   }
   part->faces->BuildCells();  // Else the first reader would, maybe on two threads.
   part->areas = areas_of(*part->faces);

@@ -26,6 +26,7 @@ struct part_geometry {
   std::vector<std::uint32_t> vertices;   ///< The vertex slot of each point.
   std::vector<float> areas;              ///< m^2 that each point stands for: a third of its faces.
   std::vector<surface_id> cell_surface;  ///< Ascending.
+  std::vector<facet_id> cell_facet;      ///< The facet slot of each cell.
   std::map<surface_id, std::pair<std::int64_t, std::int64_t>> cells;  ///< First, past the last.
   vtkSmartPointer<vtkPolyData> edges;  ///< Between surfaces, and sharp ones inside.
   vtkSmartPointer<vtkStaticCellLocator> locator;

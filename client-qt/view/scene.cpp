@@ -211,6 +211,27 @@ void scene::show_surfaces() {
     for (auto i = range.first; !hidden_.contains(id) && i < range.second; ++i)
       colours->InsertNextTypedTuple(c.data());
   }
+  show_cell_colours(colours);
+}
+
+void scene::show_print_marks(const std::vector<print_mark>& marks) {
+  if (!part_ || marks.size() != part_->cell_surface.size())
+    return;
+  light_evenly(false);
+  auto palette = print_mark_colours;
+  for (std::size_t c = 0; c < 3; ++c)
+    palette[0][c] = static_cast<std::uint8_t>(std::lround(255 * colours_.part[c]));
+  vtkNew<vtkUnsignedCharArray> colours;
+  colours->SetNumberOfComponents(3);
+  for (const auto& [id, range] : part_->cells)
+    for (auto i = range.first; !hidden_.contains(id) && i < range.second; ++i)
+      colours->InsertNextTypedTuple(
+        palette[static_cast<std::size_t>(marks[static_cast<std::size_t>(i)])].data());
+  show_cell_colours(colours);
+}
+
+/// A row for each cell that is drawn.
+void scene::show_cell_colours(vtkUnsignedCharArray* colours) {
   faces_->GetCellData()->SetScalars(colours);
   face_mapper_->SetScalarModeToUseCellData();
   face_mapper_->SetColorModeToDirectScalars();

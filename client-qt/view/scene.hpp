@@ -12,6 +12,7 @@
 #include "client-qt/model/legend.hpp"
 #include "client-qt/view/highlight.hpp"
 #include "client-qt/view/part_geometry.hpp"
+#include "mesh/print/print_checks.hpp"
 
 class vtkActor;
 class vtkLookupTable;
@@ -19,6 +20,7 @@ class vtkPlane;
 class vtkPolyData;
 class vtkPolyDataMapper;
 class vtkRenderer;
+class vtkUnsignedCharArray;
 
 namespace tedit::desktop {
 
@@ -62,6 +64,9 @@ public:
   /// One value for each point of the part (not finite: grey) by the legend's colours.
   void show_values(std::span<const float> values, const legend& by);
 
+  /// A mark for each cell of the part, in its colour; what has none in the part's.
+  void show_print_marks(const std::vector<print_mark>& marks);
+
   void select(const std::vector<surface_id>& picked);
   void hover(std::optional<surface_id> under_pointer);
   /// Leaves out what is selected and under the pointer, for a picture that is kept.
@@ -93,6 +98,7 @@ private:
   void show_selection();
   void show_hovered();
   void light_evenly(bool on);
+  void show_cell_colours(vtkUnsignedCharArray* colours);
   void paint_faces();
   void fill_table(const legend& by);
 

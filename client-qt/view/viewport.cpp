@@ -15,6 +15,20 @@
 
 namespace tedit::desktop {
 
+/// The mark of each cell. Cost: O(cells log marks).
+static std::vector<print_mark> marks_of_cells(const part_geometry& part,
+                                              const client::print_check& made) {
+  std::vector<print_mark> marks;
+  marks.reserve(part.cell_facet.size());
+  for (const auto slot : part.cell_facet) {
+    const auto found = std::ranges::lower_bound(made.facets, slot);
+    const bool marked = found != made.facets.end() && *found == slot;
+    marks.push_back(marked ? made.marks[static_cast<std::size_t>(found - made.facets.begin())]
+                           : print_mark::sound);
+  }
+  return marks;
+}
+
 viewport::viewport(QWidget* parent) : vtk_view(parent) {
   change([this](vtkRenderer& renderer) { stage_ = std::make_unique<stage>(renderer); });
   setMouseTracking(true);
@@ -112,7 +126,11 @@ void viewport::paint_values() {
   painted_values_.extremes.reset();
   const auto& part = part_;
   const bool fits = shown_.field && shown_.field->version_id() == part->version_id;
-  if (painted_values_.by.field == shown_field::surfaces) {
+  if (shows_print_marks()) {
+    change_stage([marks = marks_of_cells(*part, *print_marks_)](stage& on) {
+      on.part.show_print_marks(marks);
+    });
+  } else if (painted_values_.by.field == shown_field::surfaces) {
     change_stage([](stage& on) { on.part.show_surfaces(); });
   } else if (painted_values_.by.field == shown_field::none || !fits) {
     change_stage([](stage& on) { on.part.show_plain(); });
@@ -130,6 +148,18 @@ void viewport::paint_values() {
   painted_ = asked();
   emit legend_changed();
   emit shown();
+}
+
+void viewport::show_print_marks(shared_print_check marks) {
+  if (print_marks_ == marks)
+    return;
+  print_marks_ = std::move(marks);
+  if (part_)
+    paint_values();
+}
+
+bool viewport::shows_print_marks() const {
+  return print_marks_ && part_ && !shown_.before && print_marks_->version_id == part_->version_id;
 }
 
 /// On another thread; the newest wins.
@@ -176,8 +206,10 @@ void viewport::paint_cap() {
   }
   const auto cap = make_cap(*cap_, shown_.deform);
   const bool lines = isolines_ && !painted_values_.values.empty();
-  change_stage([cap, values = values_of(*cap_, painted_values_.by.field), by = painted_values_.by,
-                lines](stage& on) {
+  // Beside marks the field would be colours without a legend.
+  auto values =
+    shows_print_marks() ? std::vector<float>() : values_of(*cap_, painted_values_.by.field);
+  change_stage([cap, values = std::move(values), by = painted_values_.by, lines](stage& on) {
     on.part.set_cap(cap, values, by);
     on.part.set_cap_isolines(
       lines && !values.empty() ? make_isolines(*cap, values, by.levels()).Get() : nullptr);
@@ -348,6 +380,21 @@ std::optional<vec3> viewport::visible_point(surface_id surface) const {
       return middle;
   }
   return std::nullopt;
+}
+
+void viewport::show_place(const vec3& drawn, const vec3& outward) {
+  framing_.fly_to(drawn);
+  auto pose = camera_.get();
+  const double distance = norm(pose.position - drawn);
+  const auto found = pick_at(to_widget(drawn));
+  if (outward == vec3{} || !found || norm(found->at - drawn) < 0.02 * distance)
+    return;
+  pose.position = drawn + distance * outward;
+  if (std::abs(dot(pose.up, outward)) > 0.99 * norm(pose.up))  // Looking along it.
+    pose.up = std::abs(outward.y) < 0.9 ? vec3{0, 1, 0} : vec3{1, 0, 0};
+  camera_.set(pose);
+  redraw();
+  emit view_changed();
 }
 
 std::optional<double> viewport::value_at(const picked_point& at) const {

@@ -6,6 +6,7 @@
 
 #include <optional>
 
+#include "client-qt/model/version_store.hpp"
 #include "client-qt/view/camera.hpp"
 #include "client-qt/view/grips.hpp"
 #include "client-qt/view/part_framing.hpp"
@@ -53,6 +54,9 @@ public:
   [[nodiscard]] bool is_seen() const noexcept { return is_shape_seen() && seen() >= painted_; }
 
   void set_colours(const scene_colours& colours);
+  /// Instead of a field what hinders printing: only on the version that was checked. Null: nothing.
+  void show_print_marks(shared_print_check marks);
+  [[nodiscard]] bool shows_print_marks() const;
   void select(const std::vector<surface_id>& picked);
   /// Shows that these are the place of a fault; none: nothing.
   void mark(const std::vector<surface_id>& faulty);
@@ -92,6 +96,9 @@ public:
   [[nodiscard]] QPointF to_frame(const vec3& at) const;
   /// A point of the surface's face that is nearest to the viewer: for tests and labels.
   [[nodiscard]] std::optional<vec3> visible_point(surface_id surface) const;
+  /// Brings a place, as drawn, to the middle: seen from where one looks now, or from `outward` (a
+  /// unit vector; zero: not known) where the part hides it.
+  void show_place(const vec3& drawn, const vec3& outward);
   /// The shown value at a picked point, SI; nothing without a field there.
   [[nodiscard]] std::optional<double> value_at(const picked_point& at) const;
 
@@ -152,6 +159,7 @@ private:
   std::vector<surface_id> faulty_;
   std::optional<section_plane> section_;
   std::shared_ptr<const client::section> cap_;
+  shared_print_check print_marks_;
   int shaped_ = 0;   ///< The frame asked for when the geometry changed,
   int painted_ = 0;  ///< and when the values did.
   QThreadPool builders_;

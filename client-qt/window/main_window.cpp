@@ -142,14 +142,16 @@ void main_window::lay_out_docks() {
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
   for (const auto* name : {"context", "field", "loads", "receipt"})
     addDockWidget(Qt::RightDockWidgetArea, &docks_.of(name));
-  for (const auto* name : {"history", "results", "log", "probes"})
+  for (const auto* name : {"history", "results", "log", "probes", "print"})
     addDockWidget(Qt::BottomDockWidgetArea, &docks_.of(name));
   addDockWidget(Qt::LeftDockWidgetArea, &docks_.of("help"));
   docks_.of("help").hide();
+  docks_.of("print").hide();
   tabifyDockWidget(&docks_.of("loads"), &docks_.of("receipt"));
   tabifyDockWidget(&docks_.of("history"), &docks_.of("results"));
   tabifyDockWidget(&docks_.of("results"), &docks_.of("log"));
   tabifyDockWidget(&docks_.of("log"), &docks_.of("probes"));
+  tabifyDockWidget(&docks_.of("probes"), &docks_.of("print"));
   docks_.raise("loads");
   docks_.raise("history");
   resizeDocks({&docks_.of("context"), &docks_.of("field"), &docks_.of("loads")}, {320, 240, 240},

@@ -101,6 +101,22 @@ void probe(const json& value, const std::string& what) {
   check_fields(value, {{"number", pin}, {"surface", id}, {"at", point}}, what);
 }
 
+void wall(const json& value, const std::string& what) {
+  number_from(value, {1e-9, 1e3, "m"}, what);
+}
+
+void lean(const json& value, const std::string& what) {
+  number_from(value, {0, 90, "degrees"}, what);
+}
+
+void print_check(const json& value, const std::string& what) {
+  if (!value.is_null())
+    check_fields(
+      value,
+      {{"thinner_than", wall, false}, {"overhang", lean, false}, {"direction", point, false}},
+      what);
+}
+
 void patience(const json& value, const std::string& what) {
   if (value != "ready" && value != "final")
     refuse(what + " must be \"ready\" or \"final\"");
@@ -126,6 +142,7 @@ const std::vector<std::vector<field>>& kinds() {
     {{"view", text}},
     {{"camera", camera}},
     {{"section", section}},
+    {{"print_check", print_check}},
     {{"box", list<part, 4, 4>}, {"enclosed", flag, false}},
     {{"hidden", ids}},
     {{"probe", probe}},

@@ -163,9 +163,13 @@ public:
     report_.overhanging.assign(mesh_.facet_slots(), false);
     if (facets_.empty())
       return std::move(report_);
+    run_.report(0.1, "looking for crossing facets");
     find_crossings();
-    if (settings_.thinner_than > 0)
+    if (settings_.thinner_than > 0) {
+      run_.report(0.5, "measuring walls");
       find_thin_walls();
+    }
+    run_.report(0.9, "looking for overhangs");
     find_overhangs();
     if (run_.cancel.cancelled())
       return fail(ec::cancelled, "the check was cancelled");
@@ -253,6 +257,13 @@ private:
 };
 
 }  // namespace
+
+print_mark mark_of(const print_report& report, facet_id facet) {
+  const bool is_thin = std::isfinite(report.thickness[facet]);
+  if (report.overhanging[facet])
+    return is_thin ? print_mark::both : print_mark::overhang;
+  return is_thin ? print_mark::thin : print_mark::sound;
+}
 
 expected<print_report> check_print(const mesh_version& mesh, const print_settings& settings,
                                    const execution& run) {

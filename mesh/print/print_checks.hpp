@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "base/execution.hpp"
@@ -14,6 +15,8 @@ struct print_settings {
   vec3 up{0, 0, 1};           ///< From the plate on, a unit vector.
   double thinner_than = 0;    ///< m; 0: thin walls are not looked for.
   double lean = 45 * degree;  ///< Radians from upright that a wall may lean over.
+
+  friend bool operator==(const print_settings&, const print_settings&) = default;
 };
 
 /// Facets that hang together and have the same fault.
@@ -23,11 +26,13 @@ struct print_place {
   double area = 0;   ///< m^2.
   double worst = 0;  ///< Least thickness, m; or most lean, radians.
   vec3 at;           ///< Where that is.
+
+  friend bool operator==(const print_place&, const print_place&) = default;
 };
 
 /// What a part's boundary is like for who prints it. A part is one thing here: faces between its
 /// regions are not walls.
-struct print_report {
+struct print_findings {
   double volume = 0;  ///< Of the tets, m^3.
   double area = 0;    ///< Of the boundary, m^2.
   box extent;
@@ -42,24 +47,38 @@ struct print_report {
   double overhang_area = 0;  ///< m^2.
   double plate_area = 0;     ///< Of what looks down at the lowest height, m^2.
 
-  // Of each facet slot.
-  std::vector<double> thickness;  ///< m; infinite where the wall is not thin.
-  std::vector<bool> overhanging;
-
   /// As many facets one way as the other at each edge: closed, and inside and outside are clear.
   [[nodiscard]] bool watertight() const { return open_edges == 0; }
   [[nodiscard]] bool has_findings() const {
     return !watertight() || hinge_edges > 0 || crossing_facets > 0 || closed_voids > 0 ||
            !thin.empty() || !overhangs.empty();
   }
+
+  friend bool operator==(const print_findings&, const print_findings&) = default;
 };
+
+/// The same with what is found at each facet slot.
+struct print_report : print_findings {
+  std::vector<double> thickness;  ///< m; infinite where the wall is not thin.
+  std::vector<bool> overhanging;
+};
+
+/// What was found at a facet.
+enum class print_mark : std::uint8_t { sound, thin, overhang, both };
+
+/// How each mark is shown, red, green and blue: grey, red, orange, violet.
+inline constexpr std::array<std::array<std::uint8_t, 3>, 4> print_mark_colours{
+  {{190, 190, 190}, {214, 40, 40}, {247, 158, 27}, {142, 36, 170}}};
+
+/// @pre the slot is one of the mesh that was checked.
+[[nodiscard]] print_mark mark_of(const print_report& report, facet_id facet);
 
 /// Looks at the boundary. A wall is thin where a ray from it straight into the material comes out
 /// nearer than `thinner_than` through a side that faces the other way within 30 degrees: so the
 /// edge of a right angle or of a wedge is none, a blade is. Rays start at 1 to 16 places of a
 /// facet, spread evenly; its share of them is its share of the area. Errors: `invalid_argument` for
 /// a direction without length, `cancelled`. Cost: O(n log n) of the facets, and of those that lie
-/// within `thinner_than` of each other; on all cores.
+/// within `thinner_than` of each other; on all cores. Tells its stages as progress.
 [[nodiscard]] expected<print_report> check_print(const mesh_version& mesh,
                                                  const print_settings& settings,
                                                  const execution& run = {});

@@ -76,7 +76,7 @@ TEST(RequestRows, EveryRequestHasOneHandler) {
   std::multiset<int> handled;
   for (const auto& rows : {server_requests(), compare_requests(), document_requests(),
                            edit_requests(), export_requests(), library_requests(), note_requests(),
-                           section_requests(), upload_requests()})
+                           print_requests(), section_requests(), upload_requests()})
     for (const auto& row : rows)
       handled.insert(row.kind);
   const auto* bodies = v1::ClientMessage::descriptor()->FindOneofByName("body");

@@ -198,7 +198,8 @@ const std::map<std::string, access_role>& expected_roles() {
                                                       {"rename_document", edit},
                                                       {"copy_document", edit},
                                                       {"delete_document", admin},
-                                                      {"compare_versions", view}};
+                                                      {"compare_versions", view},
+                                                      {"check_print", view}};
   return all;
 }
 

@@ -301,6 +301,10 @@ void simulated_client::take_answer(const v1::ServerMessage& message) {
                 seen_head{head.number(), head.version_id(), message.committed().cause()});
   } else if (message.has_versions_compared()) {
     check_comparison(asked.message.compare_versions(), message.versions_compared());
+  } else if (message.has_print_checked()) {
+    const auto& wanted = asked.message.check_print();
+    if (wanted.has_version() && message.print_checked().version() != wanted.version())
+      fault("a version was checked for printing that nobody asked for");
   } else if (message.has_done() && !asked.edit_id.empty()) {
     acknowledge(asked.edit_id, std::nullopt);
   } else if (message.has_document_added()) {
@@ -406,6 +410,8 @@ void simulated_client::take_event(const v1::ServerMessage& message, std::size_t 
     take(inbox_->take(message.file_ready().stream(), message.request_id(), bytes));
   else if (message.has_versions_compared())
     take(inbox_->take(message.versions_compared().stream(), message.request_id(), bytes));
+  else if (message.has_print_checked())
+    take(inbox_->take(message.print_checked().stream(), message.request_id(), bytes));
   else if (message.has_edit_preview())
     take(inbox_->take(message.edit_preview().surface().stream(), message.request_id(), bytes));
 }

@@ -115,6 +115,12 @@ std::optional<simulated_client::request> simulated_client::make_request(const sc
         body->set_load_case(load_case);
       return made;
     }
+    case step_kind::check_print:
+      message.mutable_check_print()->set_document(document_);
+      message.mutable_check_print()->set_thinner_than_m(1e-3 * (step.value % 5));
+      if (step.value % 8 == 3)
+        message.mutable_check_print()->set_version(step.value / 8 % 5);
+      return made;
     case step_kind::history:
       message.mutable_get_history()->set_document(document_);
       return made;

@@ -23,6 +23,7 @@ const char* name_of(step_kind kind) {
                              "export_file",
                              "history",
                              "compare",
+                             "check_print",
                              "reopen_document",
                              "rename",
                              "list_documents",
@@ -117,6 +118,9 @@ scenario make_scenario(std::uint64_t seed) {
     for (auto n = 1 + random.below(4); n > 0; --n)
       add(what_befalls[random.below(what_befalls.size())], random.below(12), random.below(length));
   std::ranges::stable_sort(result.steps, {}, &scenario_step::at);
+  for (auto& step : result.steps)
+    if (step.kind == compare && step.value % 4 == 3)
+      step.kind = check_print;
   // A quarter has parts from CAD; most are edited instead of being replaced.
   result.from_cad = seed % 4 == 3;
   for (auto& step : result.steps)

@@ -26,6 +26,7 @@ enum class step_kind {
   export_file,
   history,
   compare,
+  check_print,
   reopen_document,
   rename,
   list_documents,

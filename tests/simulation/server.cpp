@@ -95,7 +95,7 @@ std::vector<std::string> simulated_server::leftovers() {
     say(!state.previews.empty(), name + ": previews are left");
     say(state.active.has_value(), name + ": a solve is left");
     say(state.copying != 0, name + ": copies are left");
-    say(!state.comparisons.empty(), name + ": comparisons are left");
+    say(!state.asides.empty(), name + ": comparisons or checks are left");
     say(state.cad_running.has_value() || (!state.cad_waiting.empty() && !state.cad_failure),
         name + ": edits on the CAD model are left");
     say(!state.progress_of.empty(), name + ": jobs are left in progress_of");

@@ -78,6 +78,8 @@ std::pair<QString, QString> help_tool::topic() const {
   for (const auto* name : {"field", "receipt", "probes"})
     if (in_.panels.has_focus(name))
       return {"results", {}};
+  if (in_.panels.has_focus("print"))
+    return {"print", "Checks"};
   if (in_.panels.has_focus("results"))
     return {"desktop", "Results and report"};
   return {"desktop", "The flow"};  // How it is got is behind who reads it here.

@@ -132,7 +132,8 @@ expected<bool> window_player::is_ready_for(const client::recipe_step* next) {
 bool window_player::is_part_ready() const {
   const auto& part = in_.part;
   if (imports_ || looks_up_ || part.foreground().current() || part.loads().is_changing() ||
-      part.edits().awaits_answer() || tools_.summary.writes_report())
+      part.edits().awaits_answer() || tools_.summary.writes_report() ||
+      tools_.printing.inspection().is_asking())
     return false;
   if (!part.is_open())
     return !awaits_part_;

@@ -157,6 +157,24 @@ expected<void> set_section(const step_in_window& s) {
   return {};
 }
 
+expected<void> check_printing(const step_in_window& s) {
+  const auto wanted = s["print_check"];
+  if (wanted.isNull()) {
+    s.tools.printing.close();
+    return {};
+  }
+  print_settings settings;
+  settings.thinner_than = wanted["thinner_than"].toDouble(0);
+  settings.lean = wanted["overhang"].toDouble(45) * degree;
+  if (wanted["direction"].isArray())
+    settings.up = point_from(wanted["direction"]);
+  if (!(norm(settings.up) > 1e-9))
+    return fail(ec::invalid_argument, "the build direction must have a length",
+                "Write {\"direction\": [0, 0, 1]}");
+  s.tools.printing.open(settings);
+  return {};
+}
+
 // -- probes --------------------------------------------------------------------------
 
 expected<void> put_probe(const step_in_window& s) {
@@ -240,10 +258,12 @@ bool waits_for_field(const client::window_step& step) {
 expected<void> move_window(const std::string& kind, const QJsonObject& step, window_context& in,
                            toolbox& tools) {
   static const std::map<std::string, expected<void> (*)(const step_in_window&)> may_fail{
-    {"click", click},     {"choose", choose},          {"command", run_command},
-    {"view", look_from},  {"field", set_field},        {"case", set_case},
-    {"bands", set_bands}, {"camera", set_camera},      {"section", set_section},
-    {"probe", put_probe}, {"screenshot", take_picture}};
+    {"click", click},         {"choose", choose},
+    {"command", run_command}, {"view", look_from},
+    {"field", set_field},     {"case", set_case},
+    {"bands", set_bands},     {"camera", set_camera},
+    {"section", set_section}, {"print_check", check_printing},
+    {"probe", put_probe},     {"screenshot", take_picture}};
   const step_in_window s{step, in, tools};
   if (const auto found = may_fail.find(kind); found != may_fail.end())
     return found->second(s);

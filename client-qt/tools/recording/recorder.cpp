@@ -59,8 +59,9 @@ client::window_step window_step(const char* kind, const QJsonValue& value) {
 
 /// A step that says how something is, not what is done: a later one of its kind replaces it.
 bool is_state(const client::recipe_step& step) {
-  static const std::set<std::string> kinds{"select",   "field",  "case",    "deform", "bands",
-                                           "isolines", "camera", "section", "hidden", "measure"};
+  static const std::set<std::string> kinds{"select", "field",    "case",       "deform",
+                                           "bands",  "isolines", "camera",     "section",
+                                           "hidden", "measure",  "print_check"};
   return kinds.contains(client::kind_of(step));
 }
 
@@ -94,6 +95,8 @@ void recorder::wire() {
   });
   connect(&tools_.results.panel(), &field_panel::changed, this, &recorder::fields_changed);
   connect(&tools_.section.bar(), &section_bar::moved, this, &recorder::section_moved);
+  connect(&tools_.printing.inspection(), &print_inspection::changed, this,
+          &recorder::print_check_changed);
   connect(&in_.part, &document::edited, this, &recorder::committed);
   connect(&in_.part, &document::failed, this, [this] { pending_.reset(); });
   connect(&in_.part.edits(), &edit_requests::applied, this, [this](const edit_wish& wish) {
@@ -282,6 +285,16 @@ void recorder::section_moved() {
     add("section", QJsonValue::Null);
   else
     add("section", QJsonObject{{"at", to_json(plane->at)}, {"normal", to_json(plane->normal)}});
+}
+
+void recorder::print_check_changed() {
+  const auto& wanted = tools_.printing.inspection().wanted();
+  if (!wanted)
+    return add("print_check", QJsonValue::Null);
+  QJsonObject step{{"overhang", wanted->lean / degree}, {"direction", to_json(wanted->up)}};
+  if (wanted->thinner_than > 0)
+    step["thinner_than"] = wanted->thinner_than;
+  add("print_check", step);
 }
 
 void recorder::committed(const client::committed& what) {

@@ -68,6 +68,7 @@ private:
   void look();
   void fields_changed();
   void section_moved();
+  void print_check_changed();
   void committed(const client::committed& what);
   void note_made();
   [[nodiscard]] std::optional<client::surface_reference> reference_of(surface_id id) const;

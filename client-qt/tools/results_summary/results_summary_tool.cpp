@@ -155,22 +155,8 @@ void results_summary_tool::go_to(const result_row& row, const QString& load_case
 
 /// Seen from where one looks now, or from outside where the part hides the place.
 void results_summary_tool::fly_to(const vec3& at) {
-  const vec3 drawn = drawn_at(at);
-  in_.view.framing().fly_to(drawn);
   const auto* place = place_of(at);
-  const auto pose = in_.view.view().get();
-  const double distance = norm(pose.position - drawn);
-  const auto seen = in_.view.pick_at(in_.view.to_widget(drawn));
-  if (!place || place->outward == vec3{} || !seen || norm(seen->at - drawn) < 0.02 * distance)
-    return;
-  auto turned = pose;
-  turned.position = drawn + distance * place->outward;
-  const vec3 ahead = -1 * place->outward;
-  if (std::abs(dot(turned.up, ahead)) > 0.99 * norm(turned.up))  // Looking along it.
-    turned.up = std::abs(ahead.y) < 0.9 ? vec3{0, 1, 0} : vec3{1, 0, 0};
-  in_.view.view().set(turned);
-  in_.view.redraw();
-  emit in_.view.view_changed();
+  in_.view.show_place(drawn_at(at), place ? place->outward : vec3{});
 }
 
 /// Where the place is in the deformed picture; of a place that is no vertex of the surface, where

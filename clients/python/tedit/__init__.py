@@ -8,7 +8,7 @@
 Messages are those of the protocol (`tedit.v1`, docs/protocol_reference.md); surfaces and fields are numpy arrays.
 """
 from . import errors, events
-from .answers import Comparison, ImportedPart, Preview, Section
+from .answers import Comparison, ImportedPart, Preview, PrintCheck, Section
 from .client import CancelToken, Client, connect, read_token
 from .document import Document
 from .errors import TeditError
@@ -23,6 +23,7 @@ __all__ = [
     "Field",
     "ImportedPart",
     "Preview",
+    "PrintCheck",
     "Section",
     "Surface",
     "TeditError",

@@ -7,6 +7,7 @@ import dataclasses
 from .streams import Arrays
 from .surface import Surface
 from .v1 import comparison_pb2 as comparison
+from .v1 import print_pb2
 from .v1 import report_pb2
 from .v1 import session_pb2 as session
 
@@ -50,3 +51,15 @@ class Comparison:
 
     message: comparison.VersionsCompared
     arrays: Arrays  #: vertices, difference_mark, von_mises_pa_difference, ...; none without a load case.
+
+
+@dataclasses.dataclass(frozen=True)
+class PrintCheck:
+    """What hinders printing a version."""
+
+    message: print_pb2.PrintChecked
+    arrays: Arrays  #: facets (slots, ascending) and marks of those that are marked: 1 thin, 2 overhanging, 3 both.
+
+    @property
+    def watertight(self) -> bool:
+        return self.message.open_edges == 0

@@ -11,13 +11,14 @@ import time
 import typing
 
 from . import errors
-from .answers import Comparison, Preview, Section
+from .answers import Comparison, Preview, PrintCheck, Section
 from .events import Event, FieldArrived, Lost, SurfaceChanged
 from .streams import Arrays
 from .surface import Field, Surface
 from .v1 import comparison_pb2 as comparison
 from .v1 import library_pb2 as library
 from .v1 import load_case_pb2 as load_case
+from .v1 import print_pb2
 from .v1 import session_pb2 as session
 from .values import FileLike, LoadCaseLike, PolicyLike, Value, contents, make_edit_id, parameter, policy
 from .values import load_case as to_load_case
@@ -207,6 +208,23 @@ class Document:
         body = comparison.CompareVersions(document=self.name, before=before, after=after, load_case=load_case)
         answer = self._ask("compare_versions", body, cancel=cancel, quick=False)
         return Comparison(answer.body, answer.arrays)
+
+    def check_print(
+        self,
+        *,
+        thinner_than_m: float = 0,
+        overhang_rad: float | None = None,
+        direction: typing.Sequence[float] = (0, 0, 1),
+        version: int | None = None,
+        progress: Progress | None = None,
+        cancel: CancelToken | None = None,
+    ) -> PrintCheck:
+        """What hinders printing a version (None: the head) in 3D: whether it is watertight, walls thinner than that (0:
+        not looked for), what leans further than an angle (None: 45 degrees) from the build direction, volume and box."""
+        body = print_pb2.CheckPrint(document=self.name, version=version, thinner_than_m=thinner_than_m, overhang_rad=overhang_rad)
+        body.direction.x, body.direction.y, body.direction.z = direction
+        answer = self._ask("check_print", body, progress=progress, cancel=cancel, quick=False)
+        return PrintCheck(answer.body, answer.arrays)
 
     def export(
         self,

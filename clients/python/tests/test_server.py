@@ -212,6 +212,22 @@ class Editing(unittest.TestCase):
         self.assertEqual(history.versions[1].report.operation, "fill_hole")
         self.assertEqual(self.part.go_to(0).cause, "goto")
 
+    def test_what_hinders_printing(self):
+        """The plate lies on its lowest side with z up: what overhangs is above the plate and looks down."""
+        stages = []
+        found = self.part.check_print(thinner_than_m=5e-3, progress=lambda _, stage: stages.append(stage))
+        self.assertTrue(found.watertight)
+        self.assertEqual((found.message.version_id, found.message.bodies), (self.part.head.version_id, 1))
+        self.assertAlmostEqual(found.message.volume_m3, self.part.compare(0, 0).message.size_after.volume_m3, delta=1e-12)
+        self.assertTrue(set(found.arrays["facets"].tolist()) <= set(self.part.wait_surface().mesh.facet_slots.tolist()))
+        self.assertEqual(len(found.arrays["marks"]), len(found.arrays["facets"]))
+        ceilings = self.part.check_print(overhang_rad=1.57, direction=(0, 0, -1), version=0).message
+        self.assertEqual((ceilings.version, ceilings.overhang_rad, ceilings.direction.z), (0, 1.57, -1))
+        with self.assertRaisesRegex(errors.InvalidArgument, "overhang_rad"):
+            self.part.check_print(overhang_rad=2)
+        with self.assertRaises(errors.NotFound):
+            self.part.check_print(version=7)
+
     def test_the_difference_of_fields(self):
         self.part.set_load_case(LOADS)
         self.part.solve(element_order=1)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // A document: its versions, its loads, its surface and its fields.
 import type { JsonValue, MessageInitShape } from "@bufbuild/protobuf";
+import { Preview, type Comparison, type PrintCheck, type PrintLimits, type Section } from "./answers.js";
 import type { Client } from "./client.js";
 import { guarded } from "./guarded.js";
 import { Cancelled, ProtocolError, Timeout, type TeditError } from "./errors.js";
@@ -13,21 +14,17 @@ import {
   type ApplyEditSchema,
   type Committed,
   type DocumentState,
-  type EditPreview,
-  type EditReport,
   type Feature,
   type History,
   type LoadCase,
   type OpenDocumentSchema,
   type Participant,
-  type SectionReady,
   type SelectSurfacesSchema,
   type ServerMessage,
   type Solved,
   type SolveSchema,
   type SurfaceUpdate,
   type VersionInfo,
-  type VersionsCompared,
 } from "./v1.js";
 import { makeEditId, toIds, toLoadCase, toParameters, toPolicy, type Parameters, type Policy, type SurfaceId } from "./values.js";
 
@@ -63,37 +60,6 @@ export interface WaitOptions {
   /** Absent: the head, whichever that is. */
   versionId?: string;
   timeoutMs?: number;
-}
-
-/** What an edit would make. */
-export class Preview {
-  constructor(
-    readonly message: EditPreview,
-    /** The difference to the head's surface. */
-    readonly arrays: Arrays,
-  ) {}
-
-  /** As `Committed.report` would be. */
-  get report(): EditReport | undefined {
-    return this.message.report;
-  }
-
-  /** The surface that the edit would make of the head's; throws `ProtocolError` when it is of another version. */
-  surface(head: Surface): Surface {
-    return head.apply(this.message.surface!, this.arrays);
-  }
-}
-
-export interface Section {
-  readonly message: SectionReady;
-  /** positions (m) and triangles; of a solved version von_mises_pa, displacement_m, ... */
-  readonly arrays: Arrays;
-}
-
-export interface Comparison {
-  readonly message: VersionsCompared;
-  /** vertices, difference_mark, von_mises_pa_difference, ...; none without a load case. */
-  readonly arrays: Arrays;
 }
 
 /** Made by `Client.open`. `head`, `loadCases`, `surface` and fields follow what anybody does with the document. */
@@ -233,6 +199,15 @@ export class Document {
   async compare(before: number, after: number, loadCase = "", options: CallOptions = {}): Promise<Comparison> {
     const value = { document: this.name, before, after, loadCase };
     const { value: message, arrays } = await this.ask({ case: "compareVersions", value }, "versionsCompared", options);
+    return { message, arrays };
+  }
+
+  /** What hinders printing a version in 3D: whether it is watertight, thin walls, overhangs, volume and box. */
+  async checkPrint(limits: PrintLimits = {}, options: CallOptions = {}): Promise<PrintCheck> {
+    const { direction = [0, 0, 1], ...rest } = limits;
+    const [x, y, z] = direction;
+    const value = { ...rest, document: this.name, direction: { x, y, z } };
+    const { value: message, arrays } = await this.ask({ case: "checkPrint", value }, "printChecked", options);
     return { message, arrays };
   }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // A client of TEdit for browsers and Node: edits meshed parts on a server and shows their stress at once.
+export * from "./answers.js";
 export { Client, connect, type ConnectOptions, type ImportedPart, type ImportOptions } from "./client.js";
 export * from "./document.js";
 export * from "./errors.js";

@@ -5,5 +5,6 @@ export * from "./gen/tedit/v1/envelope_pb.js";
 export * from "./gen/tedit/v1/library_pb.js";
 export * from "./gen/tedit/v1/load_case_pb.js";
 export * from "./gen/tedit/v1/operation_pb.js";
+export * from "./gen/tedit/v1/print_pb.js";
 export * from "./gen/tedit/v1/report_pb.js";
 export * from "./gen/tedit/v1/session_pb.js";

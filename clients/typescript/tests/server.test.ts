@@ -132,6 +132,16 @@ test("questions", async () => {
   assert.equal((await part.goTo(0)).cause, "goto");
 });
 
+test("what hinders printing", async () => {
+  const { message, arrays } = await part.checkPrint({ thinnerThanM: 5e-3 });
+  assert.deepEqual([message.versionId, message.openEdges, message.bodies], [part.head?.versionId, 0n, 1n]);
+  assert.equal(arrays.u8("marks").length, arrays.u32("facets").length);
+  const ceilings = (await part.checkPrint({ overhangRad: 1.57, direction: [0, 0, -1], version: 0 })).message;
+  assert.deepEqual([ceilings.version, ceilings.overhangRad, ceilings.direction?.z], [0, 1.57, -1]);
+  await assert.rejects(part.checkPrint({ overhangRad: 2 }), tedit.InvalidArgument);
+  await assert.rejects(part.checkPrint({ version: 7 }), tedit.NotFound);
+});
+
 test("the difference of fields", async () => {
   await part.setLoadCase(loads());
   await part.solve({ elementOrder: 1 });
