@@ -16,7 +16,7 @@ actors::print_checked checked_cube() {
   made.document = "cube";
   made.number = 4;
   made.settings = {{0, 1, 0}, 2e-3, 0.5};
-  made.mesh = test::box_mesh({1, 1, 1}, {1, 1, 1});
+  made.mesh = tedit::test::box_mesh({1, 1, 1}, {1, 1, 1});
   auto what = std::make_shared<print_report>();
   what->bodies = 1;
   what->thickness.assign(made.mesh->facet_slots(), std::numeric_limits<double>::infinity());
