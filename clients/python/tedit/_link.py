@@ -81,7 +81,7 @@ def _stream_of(kind: str, body: typing.Any) -> session.Stream | None:
     """What a message announces."""
     if kind in ("version_surface", "edit_preview"):
         return body.surface.stream
-    if kind in ("surface_update", "field_update", "file_ready", "section_ready", "versions_compared"):
+    if kind in ("surface_update", "field_update", "file_ready", "section_ready", "versions_compared", "print_checked"):
         return body.stream
     return None
 

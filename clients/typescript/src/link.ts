@@ -93,6 +93,7 @@ function streamOf(body: Body): Stream | undefined {
     case "fileReady":
     case "sectionReady":
     case "versionsCompared":
+    case "printChecked":
       return body.value.stream;
     default:
       return undefined;
