@@ -170,7 +170,7 @@ TEST_F(Config, AnUnknownOptionNamesTheNearest) {
 TEST_F(Config, AnOptionLikeNoOtherListsAll) {
   const auto e = error_of("[log]\nxyzxyzxyz = 1\n", 2);
 
-  EXPECT_EQ(e.remedy, "[log] takes level");
+  EXPECT_EQ(e.remedy, "[log] takes level, traces");
 }
 
 TEST_F(Config, AnOptionInTheWrongTableIsSentHome) {
