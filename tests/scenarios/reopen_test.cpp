@@ -3,7 +3,6 @@
 #include <sqlite3.h>
 
 #include <algorithm>
-#include <mutex>
 #include <string_view>
 
 #include "tests/scenarios/fixture.hpp"
@@ -49,21 +48,6 @@ void expect_same(const std::optional<edit_report>& got, const std::optional<edit
   EXPECT_EQ(got->surface_map.size(), wanted->surface_map.size());
 }
 
-/// What a client heard of surfaces.
-struct surfaces_heard {
-  std::mutex mutex;
-  std::vector<client::surface_event> all;
-
-  client::events handlers() {
-    client::events result;
-    result.on_surface = [this](const client::surface_event& event) {
-      const std::lock_guard lock(mutex);
-      all.push_back(event);
-    };
-    return result;
-  }
-};
-
 /// Whoever comes back with a surface of before, also to another server, is sent what has changed.
 TEST(Reopen, WhoHasASurfaceIsSentTheDifferenceToIt) {
   const scratch_folder folder;
@@ -72,14 +56,11 @@ TEST(Reopen, WhoHasASurfaceIsSentTheDifferenceToIt) {
   std::string imported;
   std::uint64_t whole_bytes = 0;
   {
-    surfaces_heard heard;
-    auto user = connect(host->url(), heard.handlers());
+    auto user = connect(host->url());
     value(user->open("part", true, false));
     imported = value(user->import_file(plate_mesh, "mm", {})).head.version_id;
-    value(user->wait_surface(imported, patience));
+    whole_bytes = value(user->wait_surface(imported, patience)).moved.bytes;
     held = user->surface();
-    ASSERT_EQ(heard.all.size(), 1U);
-    whole_bytes = heard.all[0].moved.bytes;
   }
   const auto other = connect(host->url());
   value(other->open("part", false, false));
@@ -88,8 +69,7 @@ TEST(Reopen, WhoHasASurfaceIsSentTheDifferenceToIt) {
   host.reset();
   host = start(options_for(folder, false));
 
-  surfaces_heard heard;
-  auto back = connect(host->url(), heard.handlers());
+  auto back = connect(host->url());
   value(back->open("part", true, false, held));
   const auto came = value(back->wait_surface(edited, patience));
   EXPECT_FALSE(came.full);
