@@ -12,6 +12,7 @@
 #include "mesh/optimize/improve.hpp"
 #include "mesh/pieces.hpp"
 #include "mesh/quality.hpp"
+#include "ops/boolean/bonded.hpp"
 #include "ops/boolean/flush.hpp"
 #include "ops/boolean/remesh.hpp"
 #include "ops/tools/local_size.hpp"
@@ -38,9 +39,9 @@ struct way {
   int steps = 2;
   clean_settings clean;
 };
-constexpr std::array ways{way{1, 2, {exact, 0.03, 0.12}}, way{2, 4, {exact, 0.03, 0.12}},
-                          way{1, 2, {exact, 0.06, 0.25}}, way{1, 3, {5e-3, 0.03, 0.12}},
-                          way{2, 4, {2e-2, 0.06, 0.12}},  way{2, 4, {2e-2, 0.1, 0.3}}};
+constexpr std::array ways{way{1, 2, {exact, 0.005, 0.05}}, way{2, 4, {exact, 0.002, 0.02}},
+                          way{1, 2, {exact, 0.06, 0.25}},  way{1, 3, {5e-3, 0.03, 0.12}},
+                          way{2, 4, {2e-2, 0.06, 0.12}},   way{2, 4, {2e-2, 0.1, 0.3}}};
 
 /// Tools of more triangles are tried twice only, fillings of more tets are not mended besides.
 constexpr std::size_t many_triangles = 8000;
@@ -121,9 +122,7 @@ private:
     if (!hollow)
       return fail(hollow.error());
     run.report(0.2, "cutting");
-    const auto cut = hollow->tets.empty() ? expected<corefined>(corefined{})
-                                          : corefine(hollow->surface, as_surface(flush_.tool),
-                                                     request_.mode, planes_in(*hollow), run);
+    const auto cut = hollow->tets.empty() ? expected<corefined>(corefined{}) : cut_of(*hollow, run);
     if (!cut)
       return fail(cut.error());
     if (!hollow->tets.empty() && changes_nothing(*hollow, *cut))
@@ -143,6 +142,14 @@ private:
                                        number_text(1e3 * deviation) + " mm");
     run.report(0.5, "meshing");
     return filled(*hollow, *surface, *cut, deviation, run);
+  }
+
+  [[nodiscard]] expected<corefined> cut_of(const cavity& hollow, const execution& run) const {
+    auto cut = corefine(hollow.surface, hollow.triangles_of_shares(), as_surface(flush_.tool),
+                        request_.mode, planes_in(hollow), run);
+    if (!cut || hollow.shares.size() == 1)
+      return cut;
+    return join_shares(hollow, std::move(*cut));
   }
 
   expected<boolean_result> filled(const cavity& hollow, const labelled_surface& surface,

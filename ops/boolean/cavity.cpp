@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <set>
 #include <tuple>
@@ -14,6 +15,10 @@ namespace {
 
 /// A tool that reaches less far into a tet, as a share of it, only touches it.
 constexpr double reaches_in = 1e-6;
+
+/// Where two regions have to agree, one that is no further off touches it, too: it may be put on
+/// their interface.
+constexpr double nearly_touches = 1e-3;
 
 using points3 = std::array<vec3, 3>;
 using points4 = std::array<vec3, 4>;
@@ -29,8 +34,9 @@ std::pair<double, double> extent_along(const Points& points, vec3 axis) {
   return {low, high};
 }
 
-/// By separating axes. With a `share` of zero they meet where they only touch, too; else they must
-/// reach into each other by that share of the tet along every axis.
+/// By separating axes. With a `share` of zero they meet where they only touch, too; with a positive
+/// one they must reach into each other by that share of the tet along every axis, with a negative
+/// one they may be so far apart.
 bool meet(const points3& t, const points4& tet, double share = 0) {
   const auto apart = [&](vec3 axis) {
     const double length = norm(axis);
@@ -111,14 +117,16 @@ public:
         add(t);
   }
 
-  /// Calls visit(corners, tet or facet behind) for each triangle of the surface.
+  /// Calls visit(corners, tet or facet behind) for each triangle of a region's surface.
   template <class Visit>
-  void for_each_side(const Visit& visit) const {
+  void for_each_side(region_id region, const Visit& visit) const {
     for (const auto t : tets_) {
+      if (mesh_.region_of(t) != region)
+        continue;
       const auto& corners = mesh_.tet_at(t).v;
       const auto& beside = mesh_.neighbours(t);
       for (int k = 0; k < 4; ++k) {
-        if (!is_facet(beside[k]) && is_in_[beside[k]])
+        if (!is_facet(beside[k]) && is_in_[beside[k]] && mesh_.region_of(beside[k]) == region)
           continue;
         const auto& f = tet_faces[k];
         visit(std::array{corners[f[0]], corners[f[1]], corners[f[2]]}, beside[k]);
@@ -126,30 +134,16 @@ public:
     }
   }
 
-  /// With tets of this region alone: against others the surface stays as it is. False where the
+  /// With tets of these regions alone: against others the surface stays as it is. False where the
   /// part's own boundary is at fault.
-  bool grow_until_clean(region_id region) {
+  bool grow_until_clean(const std::vector<region_id>& regions) {
     for (int round = 0; round < 16; ++round) {
-      std::unordered_map<std::uint64_t, int> count;
-      for_each_side([&](const auto& v, std::uint32_t) {
-        for (int k = 0; k < 3; ++k)
-          ++count[edge_key(v[k], v[(k + 1) % 3]).value];
-      });
-      std::vector<std::uint64_t> poor;
-      for (const auto& [edge, faces] : count)
-        if (faces != 2)
-          poor.push_back(edge);
-      if (poor.empty())
-        return true;
-      std::ranges::sort(poor);
       const auto before = tets_.size();
-      for (const auto value : poor) {
-        edge_key edge(0, 0);
-        edge.value = value;
-        for (const auto t : tets_around(mesh_, std::array{edge.first()}))
-          if (holds(mesh_.tet_at(t), edge.second()) && mesh_.region_of(t) == region)
-            add(t);
-      }
+      bool clean = true;
+      for (const auto region : regions)
+        clean &= add_at_poor_edges(region);
+      if (clean)
+        return true;
       if (tets_.size() == before)
         return false;
     }
@@ -157,10 +151,91 @@ public:
   }
 
 private:
+  /// True where each edge of the region's surface has two triangles.
+  bool add_at_poor_edges(region_id region) {
+    std::unordered_map<std::uint64_t, int> count;
+    for_each_side(region, [&](const auto& v, std::uint32_t) {
+      for (int k = 0; k < 3; ++k)
+        ++count[edge_key(v[k], v[(k + 1) % 3]).value];
+    });
+    std::vector<std::uint64_t> poor;
+    for (const auto& [edge, faces] : count)
+      if (faces != 2)
+        poor.push_back(edge);
+    std::ranges::sort(poor);
+    for (const auto value : poor) {
+      edge_key edge(0, 0);
+      edge.value = value;
+      for (const auto t : tets_around(mesh_, std::array{edge.first()}))
+        if (holds(mesh_.tet_at(t), edge.second()) && mesh_.region_of(t) == region)
+          add(t);
+    }
+    return poor.empty();
+  }
+
   const mesh_version& mesh_;
   std::vector<std::uint8_t> is_in_;
   std::vector<tet_id> tets_;
 };
+
+/// The closed surface of each region, and what is behind.
+void add_shares(cavity& result, const mesh_version& mesh, const growing_cavity& grown,
+                const std::vector<region_id>& regions) {
+  std::unordered_map<vertex_id, std::uint32_t> place;
+  for (const auto region : regions) {
+    const auto first = static_cast<std::uint32_t>(result.surface.triangles.size());
+    grown.for_each_side(region, [&](const auto& v, std::uint32_t behind) {
+      std::array<std::uint32_t, 3> t{};
+      for (int k = 0; k < 3; ++k) {
+        const auto [row, fresh] =
+          place.try_emplace(v[k], static_cast<std::uint32_t>(result.vertices.size()));
+        if (fresh) {
+          result.vertices.push_back(v[k]);
+          result.surface.points.push_back(mesh.position(v[k]));
+        }
+        t[k] = row->second;
+      }
+      result.surface.triangles.push_back(t);
+      cavity::side side;
+      if (is_facet(behind))
+        side.facet = behind & ~facet_flag;
+      else if (!grown.holds_tet(behind))
+        side.behind = behind;
+      result.sides.push_back(side);
+    });
+    const auto last = static_cast<std::uint32_t>(result.surface.triangles.size());
+    if (last > first || result.shares.empty())
+      result.shares.push_back({region, first, last});
+  }
+}
+
+/// Triangles between two shares learn of each other, and of the interface that they are.
+void join_twins(cavity& result, const mesh_version& mesh) {
+  using key = std::array<vertex_id, 3>;
+  const auto sorted = [](key v) {
+    std::ranges::sort(v);
+    return v;
+  };
+  std::map<key, std::uint32_t> first;
+  for (std::uint32_t i = 0; i < result.sides.size(); ++i) {
+    auto& side = result.sides[i];
+    if (side.behind != no_id || side.facet != no_id)
+      continue;
+    const auto& t = result.surface.triangles[i];
+    const auto [row, fresh] = first.try_emplace(
+      sorted({result.vertices[t[0]], result.vertices[t[1]], result.vertices[t[2]]}), i);
+    if (!fresh) {
+      side.twin = row->second;
+      result.sides[row->second].twin = i;
+    }
+  }
+  for (std::uint32_t b = 0; b < mesh.data().interfaces.size(); ++b)
+    if (const auto found = first.find(sorted(mesh.data().interfaces[b].v)); found != first.end()) {
+      result.sides[found->second].bond = b;
+      if (const auto twin = result.sides[found->second].twin; twin != no_id)
+        result.sides[twin].bond = b;
+    }
+}
 
 }  // namespace
 
@@ -185,6 +260,7 @@ cavity_finder::cavity_finder(const mesh_version& mesh, const tool_surface& tool,
     : mesh_(mesh),
       tool_(tool),
       mode_(mode),
+      bonded_(mesh.regions().size() > 1),
       tree_(boxes_of(tool)),
       is_crossed_(mesh.tet_slots()),
       is_inside_(mesh.tet_slots()) {
@@ -193,17 +269,24 @@ cavity_finder::cavity_finder(const mesh_version& mesh, const tool_surface& tool,
     extent.add(p);
   std::vector<tet_id> near;
   for (tet_id t = 0; t < mesh.tet_slots(); ++t)
-    if (mesh.is_live_tet(t) && extent.meets(box_of(mesh.corners(t))))
+    if (mesh.is_live_tet(t) && extent.meets(reach_of(mesh.corners(t))))
       near.push_back(t);
   find_crossed(near);
   sort_sides(near);
 }
 
+box cavity_finder::reach_of(const std::array<vec3, 4>& tet) const {
+  const auto extent = box_of(tet);
+  return bonded_ ? extent.grown(nearly_touches * norm(extent.high - extent.low)) : extent;
+}
+
 void cavity_finder::find_crossed(const std::vector<tet_id>& near) {
+  const double share = bonded_ ? -nearly_touches : 0;
   for (const auto t : near) {
     const auto corners = mesh_.corners(t);
-    if (tree_.any_meeting(box_of(corners),
-                          [&](std::size_t i) { return meet(corners_of(tool_, i), corners); })) {
+    if (tree_.any_meeting(reach_of(corners), [&](std::size_t i) {
+          return meet(corners_of(tool_, i), corners, share);
+        })) {
       crossed_.push_back(t);
       is_crossed_[t] = 1;
     }
@@ -246,20 +329,23 @@ void cavity_finder::sort_sides(const std::vector<tet_id>& near) {
   }
 }
 
-/// The one that the tool reaches into, or stands on with facets of its own; an addition may hold no
-/// other one either.
-expected<region_id> cavity_finder::region_of_edit() const {
-  std::optional<region_id> region;
-  for (const auto& tets : {changed(), stuck_to()})
-    for (const auto t : tets) {
-      if (region && *region != mesh_.region_of(t))
-        return fail(ec::invalid_argument, "the tool crosses two regions of the part",
-                    "Place it so that it meets one region");
-      region = mesh_.region_of(t);
-    }
-  if (region)
-    return *region;
-  return crossed_.empty() ? region_id{0} : mesh_.region_of(crossed_.front());
+/// Those that the tool reaches into, or stands on with facets of its own; it may touch others, too,
+/// and they have to agree where.
+std::vector<region_id> cavity_finder::regions_of_edit() const {
+  std::vector<region_id> regions;
+  const auto note = [&](const std::vector<tet_id>& tets) {
+    for (const auto t : tets)
+      if (std::ranges::find(regions, mesh_.region_of(t)) == regions.end())
+        regions.push_back(mesh_.region_of(t));
+  };
+  note(changed());
+  note(stuck_to());
+  if (bonded_)
+    note(crossed_);
+  if (regions.empty())
+    regions.push_back(crossed_.empty() ? region_id{0} : mesh_.region_of(crossed_.front()));
+  std::ranges::sort(regions);
+  return regions;
 }
 
 /// Tets that the tool reaches into.
@@ -298,26 +384,24 @@ expected<cavity> cavity_finder::find(int rings) const {
   if (crossed_.empty() && (mode_ == boolean_mode::add || within_.empty()))
     return fail(ec::empty_selection, "the tool does not meet the part",
                 "Place it so that it cuts the part's surface");
-  const auto region = region_of_edit();
-  if (!region)
-    return fail(region.error());
+  const auto regions = regions_of_edit();
+  const auto takes_part = [&](tet_id t) {
+    return std::ranges::find(regions, mesh_.region_of(t)) != regions.end();
+  };
   growing_cavity grown(mesh_, {});
   for (const auto t : crossed_)
-    if (mesh_.region_of(t) == *region)
+    if (takes_part(t))
       grown.add(t);
   if (mode_ == boolean_mode::add)
     for (const auto t : within_)
       grown.add(t);
   for (int ring = 0; ring < rings; ++ring)
-    grown.add_ring([&](tet_id t) {
-      return (is_inside_[t] != 0) == keeps_inside && mesh_.region_of(t) == *region;
-    });
-  if (!grown.grow_until_clean(*region))
+    grown.add_ring([&](tet_id t) { return (is_inside_[t] != 0) == keeps_inside && takes_part(t); });
+  if (!grown.grow_until_clean(regions))
     return fail(ec::mesher_failed, "the part's boundary is no clean surface where the tool is",
                 "Place the tool elsewhere");
   cavity result;
   result.tets = grown.tets();
-  result.region = *region;
   if (mode_ == boolean_mode::cut) {
     for (const auto t : within_)
       if (!grown.holds_tet(t))
@@ -327,23 +411,9 @@ expected<cavity> cavity_finder::find(int rings) const {
       if (mesh_.is_live_tet(t) && !grown.holds_tet(t) && !is_inside_[t])
         result.gone.push_back(t);
   }
-  std::unordered_map<vertex_id, std::uint32_t> place;
-  grown.for_each_side([&](const auto& v, std::uint32_t behind) {
-    std::array<std::uint32_t, 3> t{};
-    for (int k = 0; k < 3; ++k) {
-      const auto [row, fresh] =
-        place.try_emplace(v[k], static_cast<std::uint32_t>(result.vertices.size()));
-      if (fresh) {
-        result.vertices.push_back(v[k]);
-        result.surface.points.push_back(mesh_.position(v[k]));
-      }
-      t[k] = row->second;
-    }
-    result.surface.triangles.push_back(t);
-    cavity::side side;
-    (is_facet(behind) ? side.facet : side.behind) = behind & ~facet_flag;
-    result.sides.push_back(side);
-  });
+  add_shares(result, mesh_, grown, regions);
+  if (result.shares.size() > 1)
+    join_twins(result, mesh_);
   return result;
 }
 

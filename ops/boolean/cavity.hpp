@@ -11,17 +11,39 @@ namespace tedit::ops {
 
 /// The tets that a tool makes anew, and the closed surface around them.
 struct cavity {
-  /// What lies behind a triangle of that surface: a tet that stays where it is or goes as a whole,
-  /// or nothing, where it is a facet of the part.
+  /// What lies behind a triangle of that surface: a tet that stays where it is or goes as a whole;
+  /// or nothing, where it is a facet of the part; or the share of another region.
   struct side {
     tet_id behind = no_id;
     facet_id facet = no_id;
+    std::uint32_t twin = no_id;  ///< The same triangle, as the other region has it.
+    std::uint32_t bond = no_id;  ///< Of `twin`: the version's interface facet, where it has one.
   };
 
+  /// What one region has of it: triangles `first` to before `last`, a closed surface.
+  struct share {
+    region_id region = 0;
+    std::uint32_t first = 0;
+    std::uint32_t last = 0;
+  };
+
+  [[nodiscard]] std::vector<std::uint32_t> triangles_of_shares() const {
+    std::vector<std::uint32_t> result;
+    for (const auto& share : shares)
+      result.push_back(share.last - share.first);
+    return result;
+  }
+  [[nodiscard]] std::int32_t share_of(std::size_t triangle) const {
+    std::int32_t share = 0;
+    while (triangle >= shares[share].last)
+      ++share;
+    return share;
+  }
+
   std::vector<tet_id> tets;
-  std::vector<tet_id> gone;  ///< Beside those: tets that the boolean takes as they are.
-  region_id region = 0;
-  closed_surface surface;
+  std::vector<tet_id> gone;   ///< Beside those: tets that the boolean takes as they are.
+  std::vector<share> shares;  ///< At least one; several where the tool crosses bonded regions.
+  closed_surface surface;     ///< That of each share, one after the other, with common points.
   std::vector<vertex_id> vertices;  ///< Of the surface's points.
   std::vector<side> sides;          ///< Of its triangles.
 };
@@ -33,21 +55,23 @@ public:
   /// Cost: O(tet slots), and O(tets in the tool's box).
   cavity_finder(const mesh_version& mesh, const tool_surface& tool, boolean_mode mode);
 
-  /// Errors: `empty_selection` where the tool meets nothing, `invalid_argument` where it crosses
-  /// two regions, `mesher_failed` where the part itself is no clean solid. Cost: O(cavity).
+  /// Errors: `empty_selection` where the tool meets nothing, `mesher_failed` where the part itself
+  /// is no clean solid. Cost: O(cavity), and O(interface facets) where there are several regions.
   [[nodiscard]] expected<cavity> find(int rings) const;
 
 private:
+  [[nodiscard]] box reach_of(const std::array<vec3, 4>& tet) const;
   void find_crossed(const std::vector<tet_id>& near);
   void sort_sides(const std::vector<tet_id>& near);
   [[nodiscard]] bool is_within(tet_id t) const;
-  [[nodiscard]] expected<region_id> region_of_edit() const;
+  [[nodiscard]] std::vector<region_id> regions_of_edit() const;
   [[nodiscard]] std::vector<tet_id> changed() const;
   [[nodiscard]] std::vector<tet_id> stuck_to() const;
 
   const mesh_version& mesh_;
   const tool_surface& tool_;
   boolean_mode mode_;
+  bool bonded_;    ///< The part has several regions.
   box_tree tree_;  ///< Of the tool's triangles.
   std::vector<tet_id> crossed_;
   std::vector<tet_id> within_;            ///< Wholly inside the tool.

@@ -124,12 +124,17 @@ private:
     return true;
   }
 
-  /// The end that is less free stays; between equals the one that is a point of the part.
+  /// The end that is less free stays; between equals the one that is further off the planes of the
+  /// other, then the one that is a point of the part.
   [[nodiscard]] bool goes_first(std::uint32_t u, std::uint32_t v) const {
     const auto free_u = mesh_.freedom_of(u);
     const auto free_v = mesh_.freedom_of(v);
     if (free_u != free_v)
       return free_u < free_v;
+    const double off_u = off_planes(u, at(v));
+    const double off_v = off_planes(v, at(u));
+    if (std::max(off_u, off_v) > 1e-9)
+      return off_u < off_v;
     return mesh_.vertices[u].origin < 0 || mesh_.vertices[v].origin >= 0;
   }
 
@@ -168,8 +173,8 @@ private:
   /// A corner that is as good as on the opposite side: the side is turned away or gets the corner.
   bool weld_needle(std::uint32_t f, double tolerance) {
     const auto [u, v, apex] = by_longest_side(f);
-    std::array<std::uint32_t, 2> both{};
-    if (!mesh_.faces_of_edge(u, v, both))
+    const auto all = mesh_.all_faces_of_edge(u, v);
+    if (all.empty())
       return false;
     const double size = mesh_.size(u, v);
     const vec3 side = at(v) - at(u);
@@ -181,14 +186,14 @@ private:
       return false;
     if (!mesh_.is_crease(u, v) && turn_if_better(u, v))
       return true;
-    if (mesh_.faces[both[0]].frozen || mesh_.faces[both[1]].frozen)
+    if (std::ranges::any_of(all, [&](auto g) { return mesh_.faces[g].frozen; }))
       return false;
     const vec3 foot = at(u) + along * side;
     const bool stays = mesh_.freedom_of(apex) != freedom::face || mesh_.vertices[apex].origin >= 0;
     const vec3 place = stays ? at(apex) : foot;
-    // On a crease only what leaves both faces where they are.
+    // On a crease only what leaves its faces where they are.
     if (mesh_.is_crease(u, v))
-      for (const auto g : both)
+      for (const auto g : all)
         if (std::abs(dot(place - foot, mesh_.faces[g].normal)) >
             std::max(settings_.off_plane, 1e-4) * size)
           return false;
@@ -245,8 +250,8 @@ private:
     for (const auto& e : edges(true)) {
       if (e.length < above)
         break;
-      std::array<std::uint32_t, 2> at_edge{};
-      if (!mesh_.faces_of_edge(e.a, e.b, at_edge))
+      const auto at_edge = mesh_.all_faces_of_edge(e.a, e.b);
+      if (at_edge.empty())
         continue;
       double longest = 0;
       for (const auto f : at_edge)
@@ -414,8 +419,10 @@ private:
     if (free_u == freedom::face || free_w == freedom::face)
       return;
     const double length = mesh_.length(u, w);
+    // A short edge along a crease is still there where the crease bends, so that it may not go.
     const bool corners = free_u >= freedom::corner && free_w >= freedom::corner;
-    if (length < 0.7 * mesh_.size(u, w) && (corners || !mesh_.is_crease(u, w)))
+    const double share = corners || !mesh_.is_crease(u, w) ? 0.7 : 0.5;
+    if (length < share * mesh_.size(u, w))
       for (const auto v : {u, w})
         shrink(v, length);
     if (length <= 0 || mesh_.freedom_of(apex) == freedom::face)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "ops/boolean/corefine.hpp"
 
+#include <algorithm>
 #include <cstring>
 
 #include "base/child_process.hpp"
@@ -17,12 +18,14 @@ void append(std::vector<char>& bytes, const T* first, std::size_t count) {
   bytes.insert(bytes.end(), raw, raw + count * sizeof(T));
 }
 
-std::vector<char> question(const closed_surface& first, const closed_surface& second,
-                           boolean_mode mode, const std::vector<shared_plane>& planes,
+std::vector<char> question(const closed_surface& first, const std::vector<std::uint32_t>& shares,
+                           const closed_surface& second, boolean_mode mode,
+                           const std::vector<shared_plane>& planes,
                            std::chrono::milliseconds computing) {
   corefine_header header;
   header.most_ms = static_cast<std::uint32_t>(computing.count());
   header.mode = static_cast<std::uint32_t>(mode);
+  header.shares = static_cast<std::uint32_t>(shares.size());
   header.planes = static_cast<std::uint32_t>(planes.size());
   const std::array surfaces{&first, &second};
   for (int i = 0; i < 2; ++i) {
@@ -35,6 +38,7 @@ std::vector<char> question(const closed_surface& first, const closed_surface& se
     append(bytes, s->points.data(), s->points.size());
     append(bytes, s->triangles.data(), s->triangles.size());
   }
+  append(bytes, shares.data(), shares.size());
   for (const auto& plane : planes) {
     corefine_plane row{{plane.normal.x, plane.normal.y, plane.normal.z}, plane.offset, {}};
     for (int i = 0; i < 2; ++i)
@@ -106,20 +110,21 @@ bool fits(const corefined& result, const closed_surface& first, const closed_sur
 
 }  // namespace
 
-expected<corefined> corefine(const closed_surface& first, const closed_surface& second,
-                             boolean_mode mode, const std::vector<shared_plane>& planes,
-                             const execution& run) {
+expected<corefined> corefine(const closed_surface& first, const std::vector<std::uint32_t>& shares,
+                             const closed_surface& second, boolean_mode mode,
+                             const std::vector<shared_plane>& planes, const execution& run) {
   // CGAL comes back in a hundredth of this, or not at all.
   const auto triangles = first.triangles.size() + second.triangles.size();
   const auto computing = std::min(most_meshing_time, std::chrono::milliseconds(3000 + triangles));
   const auto output =
-    run_child({mesher_program().string()}, question(first, second, mode, planes, computing),
+    run_child({mesher_program().string()}, question(first, shares, second, mode, planes, computing),
               mesher_limits(computing), run);
   if (!output)
     return fail(output.error());
   answer_reader reader(*output);
   corefine_answer answer;
   corefined result;
+  std::vector<std::uint32_t> share;
   if (!reader.read(&answer, 1) || answer.magic != corefine_answer{}.magic)
     return fail(ec::mesher_failed, "the mesher's answer is damaged");
   if (answer.status == corefine_status::second_meets_itself)
@@ -128,9 +133,12 @@ expected<corefined> corefine(const closed_surface& first, const closed_surface& 
     return fail(ec::mesher_failed, why_not(answer.status));
   if (!reader.read(result.points, answer.points) || !reader.read(result.origin, answer.points) ||
       !reader.read(result.triangles, answer.triangles) ||
-      !reader.read(result.parent, answer.triangles) || !reader.at_end() ||
-      !fits(result, first, second))
+      !reader.read(result.parent, answer.triangles) || !reader.read(share, answer.triangles) ||
+      !reader.at_end() || !fits(result, first, second) ||
+      std::ranges::any_of(share, [&](auto s) { return s >= shares.size(); }))
     return fail(ec::mesher_failed, "the mesher's answer is damaged");
+  for (const auto s : share)
+    result.sides.push_back({static_cast<std::int32_t>(s), -1});
   result.volume_change = answer.volume_after - answer.volume_before;
   return result;
 }

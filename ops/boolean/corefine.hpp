@@ -20,13 +20,19 @@ struct corefined {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   /// Of each triangle: the one of the first surface that it is a part of, or -1 less the second's.
   std::vector<std::int32_t> parent;
+  /// Of each triangle, the share of the first surface that it bounds, and the one beyond it or -1.
+  std::vector<std::array<std::int32_t, 2>> sides;
   double volume_change = 0;  ///< m^3: of the result less that of the first surface.
 };
 
-/// The exact boolean of two closed surfaces, in the program `tedit-mesher` under limits. Errors:
+/// The exact boolean of two closed surfaces, in the program `tedit-mesher` under limits. The first
+/// one may be several that touch, each of so many triangles: each is combined, or where something
+/// is added the one of which most is covered gets what is outside of the others, which get its
+/// edges. What two of the results have in common is there twice (see `join_shares`). Errors:
 /// `invalid_argument` where the second passes through itself, `mesher_failed` naming the reason,
 /// `timeout`, `cancelled`, `service_unavailable`. Cost: 10 ms and 10 us a triangle.
 [[nodiscard]] expected<corefined> corefine(const closed_surface& first,
+                                           const std::vector<std::uint32_t>& shares,
                                            const closed_surface& second, boolean_mode mode,
                                            const std::vector<shared_plane>& planes,
                                            const execution& run);

@@ -53,8 +53,14 @@ std::optional<plane> plane_of(const tool_surface& tool, std::uint32_t face) {
   return plane{normal, 0.5 * (low + high)};
 }
 
-/// Facets of the part in that plane near the tool: whether some look the same way or the opposite
-/// one, their corners, and the plane of the largest.
+/// A triangle of the part's boundary, or of an interface between two of its regions.
+struct near_triangle {
+  std::array<vertex_id, 3> v;
+  bool between = false;
+};
+
+/// Triangles of the part in that plane near the tool: whether some look the same way or the
+/// opposite one, their corners, and the plane of the largest.
 struct part_side {
   bool same = false;
   bool opposite = false;
@@ -62,34 +68,36 @@ struct part_side {
   plane exact;
 };
 
-part_side facets_in(const mesh_version& mesh, const std::vector<facet_id>& near, const plane& at,
-                    double tolerance) {
+part_side facets_in(const mesh_version& mesh, const std::vector<near_triangle>& near,
+                    const plane& at, double tolerance) {
   part_side result;
   double largest = 0;
-  for (const auto f : near) {
-    const auto& facet = mesh.facet(f);
-    const bool on = std::ranges::all_of(facet.v, [&](auto v) {
-      return std::abs(dot(mesh.position(v), at.normal) - at.offset) <= tolerance;
+  for (const auto& triangle : near) {
+    const auto& v = triangle.v;
+    const bool on = std::ranges::all_of(v, [&](auto corner) {
+      return std::abs(dot(mesh.position(corner), at.normal) - at.offset) <= tolerance;
     });
-    const vec3 area = area_vector(mesh, facet);
+    const vec3 area = area_vector(mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2]));
     const double along = dot(area, at.normal);
     if (!on || std::abs(along) < 0.99 * norm(area) || norm(area) == 0)
       continue;
-    (along > 0 ? result.same : result.opposite) = true;
-    result.corners.insert(facet.v.begin(), facet.v.end());
+    result.same |= along > 0 || triangle.between;
+    result.opposite |= along < 0 || triangle.between;
+    result.corners.insert(v.begin(), v.end());
     if (norm(area) > largest) {
       largest = norm(area);
       const vec3 normal = normalized(area);
-      result.exact = {normal, dot(normal, mesh.position(facet.v[0]))};
+      result.exact = {normal, dot(normal, mesh.position(v[0]))};
     }
   }
   return result;
 }
 
 /// Does nothing of the part but facets of the plane itself reach into the layer on a face? By
-/// boxes: where in doubt there is something.
-bool is_clear(const mesh_version& mesh, const std::vector<facet_id>& near, const tool_surface& tool,
-              std::uint32_t face, const plane& at, double tolerance, double layer) {
+/// boxes: where in doubt there is something. An interface is nothing: the tool is cut by it anyway.
+bool is_clear(const mesh_version& mesh, const std::vector<near_triangle>& near,
+              const tool_surface& tool, std::uint32_t face, const plane& at, double tolerance,
+              double layer) {
   box extent;
   for (std::size_t i = 0; i < tool.triangles.size(); ++i)
     if (tool.faces[i] == face)
@@ -97,8 +105,8 @@ bool is_clear(const mesh_version& mesh, const std::vector<facet_id>& near, const
         extent.add(tool.points[v]);
         extent.add(tool.points[v] + layer * at.normal);
       }
-  return std::ranges::none_of(near, [&](facet_id f) {
-    const auto& v = mesh.facet(f).v;
+  return std::ranges::none_of(near, [&](const near_triangle& triangle) {
+    const auto& v = triangle.v;
     const std::array p{mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2])};
     double low = 1e300;
     double high = -1e300;
@@ -106,7 +114,7 @@ bool is_clear(const mesh_version& mesh, const std::vector<facet_id>& near, const
       low = std::min(low, dot(q, at.normal) - at.offset);
       high = std::max(high, dot(q, at.normal) - at.offset);
     }
-    return high > tolerance && low < layer && extent.meets(box_of(p));
+    return !triangle.between && high > tolerance && low < layer && extent.meets(box_of(p));
   });
 }
 
@@ -146,9 +154,9 @@ void add_layer(tool_surface& tool, std::uint32_t face, vec3 step) {
 /// The part's facets near the tool, to find a face of the tool that is made of nothing but them.
 class facet_copies {
 public:
-  facet_copies(const mesh_version& mesh, const std::vector<facet_id>& near) {
-    for (const auto f : near) {
-      const auto& v = mesh.facet(f).v;
+  facet_copies(const mesh_version& mesh, const std::vector<near_triangle>& near) {
+    for (const auto& triangle : near) {
+      const auto& v = triangle.v;
       known_.insert(key({mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2])}));
     }
   }
@@ -179,6 +187,21 @@ private:
   std::set<triangle> known_;
 };
 
+std::vector<near_triangle> triangles_near(const mesh_version& mesh, const box& extent) {
+  std::vector<near_triangle> result;
+  const auto add = [&](const std::array<vertex_id, 3>& v, bool between) {
+    if (extent.meets(
+          box_of(std::array{mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2])})))
+      result.push_back({v, between});
+  };
+  for (facet_id f = 0; f < mesh.facet_slots(); ++f)
+    if (mesh.is_live_facet(f))
+      add(mesh.facet(f).v, false);
+  for (std::size_t i = 0; i < mesh.data().interfaces.size(); ++i)
+    add(mesh.data().interfaces[i].v, true);
+  return result;
+}
+
 }  // namespace
 
 flush_tool make_flush(const mesh_version& mesh, const tool_surface& tool, boolean_mode mode,
@@ -187,16 +210,7 @@ flush_tool make_flush(const mesh_version& mesh, const tool_surface& tool, boolea
   box extent;
   for (const auto& p : tool.points)
     extent.add(p);
-  extent = extent.grown(tolerance + layer);
-  std::vector<facet_id> near;
-  for (facet_id f = 0; f < mesh.facet_slots(); ++f) {
-    if (!mesh.is_live_facet(f))
-      continue;
-    const auto& v = mesh.facet(f).v;
-    if (extent.meets(
-          box_of(std::array{mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2])})))
-      near.push_back(f);
-  }
+  const auto near = triangles_near(mesh, extent.grown(tolerance + layer));
   const facet_copies copies(mesh, near);
   for (std::uint32_t face = 0; face < tool.names.size(); ++face) {
     const auto at = plane_of(tool, face);
@@ -208,15 +222,17 @@ flush_tool make_flush(const mesh_version& mesh, const tool_surface& tool, boolea
     const bool cut_outside = mode == boolean_mode::cut && !side.opposite;
     const bool stands_on = mode == boolean_mode::add && !side.same;
     const bool keeps_all = mode == boolean_mode::keep && !side.opposite;
-    if ((cut_outside || stands_on || keeps_all) &&
-        is_clear(mesh, near, tool, face, *at, tolerance, layer)) {
+    const bool layered = (cut_outside || stands_on || keeps_all) &&
+                         is_clear(mesh, near, tool, face, *at, tolerance, layer);
+    if (layered)
       add_layer(result.tool, face, layer * at->normal);
+    // Where the layer begins two regions would else be a rounding error apart.
+    if (layered && mesh.regions().size() < 2)
       continue;
-    }
     flush_face row{side.exact.normal, side.exact.offset, {}, {}};
     row.part.assign(side.corners.begin(), side.corners.end());
     std::set<std::uint32_t> points;
-    const auto& now = result.tool;  // Layers on other faces have made this one larger.
+    const auto& now = layered ? tool : result.tool;  // Other layers have made this face larger.
     for (std::size_t i = 0; i < now.triangles.size(); ++i)
       if (now.faces[i] == face)
         for (const auto v : now.triangles[i])

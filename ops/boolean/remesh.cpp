@@ -51,6 +51,10 @@ public:
 
   expected<labelled_surface> label() {
     add_faces();
+    if (has_bare_bond())
+      return fail(ec::invalid_argument,
+                  "the tool lays bare a face between two regions that has no surface id",
+                  "Give it one, in the file that the part came from");
     if (!shell_fits())
       return fail(ec::mesher_failed, damaged);
     set_sizes();
@@ -65,12 +69,27 @@ private:
     return normalized(area_vector(s.points[t[0]], s.points[t[1]], s.points[t[2]]));
   }
 
-  std::int32_t label_of(surface_id surface) {
+  std::int32_t label_of(std::optional<surface_id> surface, bool between = false) {
     auto& part = result_.labels.part;
-    const auto found = std::ranges::find(part, surface);
+    const surface_labels::part_surface row{surface, between};
+    const auto found = std::ranges::find(part, row);
     if (found == part.end())
-      part.push_back(surface);
-    return static_cast<std::int32_t>(std::ranges::find(part, surface) - part.begin());
+      part.push_back(row);
+    return static_cast<std::int32_t>(std::ranges::find(part, row) - part.begin());
+  }
+
+  /// An interface that has no id is none that could be bare.
+  [[nodiscard]] std::optional<surface_id> bond_of(const cavity::side& side) const {
+    if (side.bond == no_id)
+      return std::nullopt;
+    return mesh_.data().interfaces[side.bond].surface;
+  }
+
+  std::int32_t label_of(const cavity::side& side, bool between) {
+    if (side.behind != no_id)
+      return surface_labels::shell;
+    return side.twin == no_id ? label_of(mesh_.facet(side.facet).surface, between)
+                              : label_of(bond_of(side), between);
   }
 
   void add_faces() {
@@ -79,8 +98,10 @@ private:
       mesh.vertices.push_back({cut_.points[i], size_, cut_.origin[i], false});
     // The part's labels first, so that those of the tool stand behind them.
     for (const auto& side : hollow_.sides)
-      if (side.behind == no_id)
-        (void)label_of(mesh_.facet(side.facet).surface);
+      (void)label_of(side, false);
+    for (std::size_t i = 0; i < cut_.sides.size(); ++i)
+      if (cut_.sides[i][1] >= 0)
+        (void)label_of(hollow_.sides[cut_.parent[i]], true);
     for (const auto& id : continues_)
       if (id)
         (void)label_of(*id);
@@ -89,6 +110,7 @@ private:
     for (std::size_t i = 0; i < cut_.triangles.size(); ++i) {
       surface_mesh::face f;
       f.v = cut_.triangles[i];
+      f.sides = cut_.sides[i];
       if (const auto parent = cut_.parent[i]; parent < 0) {
         const auto of = static_cast<std::size_t>(-1 - static_cast<std::int64_t>(parent));
         const auto& t = tool_.triangles[of];
@@ -101,9 +123,11 @@ private:
                     : first_of_tool + static_cast<std::int32_t>(face);
       } else {
         const auto& side = hollow_.sides[parent];
-        f.normal = normal_of(hollow_.surface, parent);
+        // What was added to one share may lie against another one's surface.
+        const double way = hollow_.share_of(parent) == f.sides[0] ? 1 : -1;
+        f.normal = way * normal_of(hollow_.surface, parent);
         f.frozen = side.behind != no_id;
-        f.label = f.frozen ? surface_labels::shell : label_of(mesh_.facet(side.facet).surface);
+        f.label = label_of(side, f.sides[1] >= 0);
       }
       mesh.faces.push_back(f);
     }
@@ -137,6 +161,17 @@ private:
         return false;
     }
     return true;
+  }
+
+  /// A wall that was an interface without an id, so that no surface is known that it could be.
+  [[nodiscard]] bool has_bare_bond() const {
+    const auto& labels = result_.labels;
+    return std::ranges::any_of(result_.mesh.faces, [&](const auto& f) {
+      if (f.label < 0 || labels.is_tool(f.label))
+        return false;
+      const auto& row = labels.part[f.label];
+      return !row.id && !row.between;
+    });
   }
 
   /// Points of the part want edges as they have; new ones what is less, that of the part's triangle
@@ -194,34 +229,133 @@ private:
   labelled_surface result_;
 };
 
-/// The live triangles with their own points.
-struct compact_surface {
+/// What bounds one share: the live triangles, outward, with their own points.
+struct share_surface {
   closed_surface surface;
-  std::vector<std::int32_t> origin;
-  std::vector<std::int32_t> label;
+  std::vector<std::uint32_t> vertex;  ///< Of the surface's points: that of the whole.
 };
 
-compact_surface compact(const surface_mesh& mesh) {
-  compact_surface result;
+share_surface surface_of_share(const surface_mesh& mesh, std::int32_t share) {
+  share_surface result;
   std::vector<std::uint32_t> place(mesh.vertices.size(), no_id);
   for (const auto& f : mesh.faces) {
-    if (!f.alive)
+    if (!f.alive || (f.sides[0] != share && f.sides[1] != share))
       continue;
     std::array<std::uint32_t, 3> t{};
     for (int k = 0; k < 3; ++k) {
       auto& at = place[f.v[k]];
       if (at == no_id) {
-        at = static_cast<std::uint32_t>(result.surface.points.size());
+        at = static_cast<std::uint32_t>(result.vertex.size());
         result.surface.points.push_back(mesh.vertices[f.v[k]].position);
-        result.origin.push_back(mesh.vertices[f.v[k]].origin);
+        result.vertex.push_back(f.v[k]);
       }
       t[k] = at;
     }
+    if (f.sides[0] != share)
+      std::swap(t[0], t[1]);
     result.surface.triangles.push_back(t);
-    result.label.push_back(f.label);
   }
   return result;
 }
+
+/// Fills the shares of a cavity, and says what has become of its surface.
+class cavity_filler {
+public:
+  cavity_filler(mesh_builder& builder, const cavity& hollow, const labelled_surface& surface,
+                const tool_surface& tool)
+      : builder_(builder),
+        hollow_(hollow),
+        surface_(surface),
+        tool_(tool),
+        vertices_(surface.mesh.vertices.size(), no_id) {
+    result_.surfaces.resize(tool.names.size());
+    change_.removed = hollow.tets;
+    change_.removed.insert(change_.removed.end(), hollow.gone.begin(), hollow.gone.end());
+  }
+
+  expected<replaced> replace(const execution& run) {
+    for (std::size_t i = 0; i < hollow_.shares.size(); ++i)
+      if (auto ok = fill(static_cast<std::int32_t>(i), run); !ok)
+        return fail(ok.error());
+    for (const auto& f : surface_.mesh.faces)
+      if (f.alive && f.label != surface_labels::shell)
+        add_facet(f);
+    auto added = builder_.apply(change_);
+    if (!added)
+      return fail(ec::mesher_failed, added.error().message);
+    if (hollow_.shares.size() > 1)
+      renew_interfaces();
+    drop_bare_interfaces(builder_);
+    result_.tets = std::move(*added);
+    return std::move(result_);
+  }
+
+private:
+  vertex_id vertex_of(std::uint32_t v) {
+    if (vertices_[v] == no_id) {
+      const auto& vertex = surface_.mesh.vertices[v];
+      vertices_[v] =
+        vertex.origin >= 0 ? hollow_.vertices[vertex.origin] : builder_.add_vertex(vertex.position);
+    }
+    return vertices_[v];
+  }
+
+  expected<void> fill(std::int32_t share, const execution& run) {
+    const auto shell = surface_of_share(surface_.mesh, share);
+    if (shell.surface.triangles.empty())
+      return {};
+    const auto filling = tetrahedralise_surface(shell.surface, run, 0);
+    if (!filling)
+      return fail(filling.error());
+    std::vector<vertex_id> vertices(filling->points.size());
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      vertices[i] = i < shell.vertex.size() ? vertex_of(shell.vertex[i])
+                                            : builder_.add_vertex(filling->points[i]);
+    for (const auto& t : filling->tets)
+      change_.added.push_back({{{vertices[t[0]], vertices[t[1]], vertices[t[2]], vertices[t[3]]}},
+                               hollow_.shares[share].region});
+    return {};
+  }
+
+  void add_facet(const surface_mesh::face& f) {
+    const auto& labels = surface_.labels;
+    const std::array corners{vertex_of(f.v[0]), vertex_of(f.v[1]), vertex_of(f.v[2])};
+    if (labels.is_tool(f.label)) {
+      auto& made = result_.surfaces[labels.tool_face(f.label)];
+      if (!made)
+        made = builder_.add_surface(tool_.names[labels.tool_face(f.label)]);
+      change_.facets.push_back({corners, *made});
+      return;
+    }
+    const auto& row = labels.part[f.label];
+    if (!row.between)
+      change_.facets.push_back({corners, *row.id});
+    else if (row.id)
+      interfaces_.push_back({corners, 0, *row.id});
+  }
+
+  void renew_interfaces() {
+    std::vector<std::uint8_t> is_old(builder_.interfaces().size());
+    for (const auto& side : hollow_.sides)
+      if (side.twin != no_id && side.bond != no_id)
+        is_old[side.bond] = 1;
+    std::vector<interface_facet> next;
+    for (std::size_t i = 0; i < is_old.size(); ++i)
+      if (!is_old[i])
+        next.push_back(builder_.interfaces()[i]);
+    next.insert(next.end(), interfaces_.begin(), interfaces_.end());
+    builder_.set_interfaces(next);
+  }
+
+  mesh_builder& builder_;
+  const cavity& hollow_;
+  const labelled_surface& surface_;
+  const tool_surface& tool_;
+  std::vector<vertex_id> vertices_;
+  cavity_change change_;
+  std::vector<interface_facet> interfaces_;
+  replaced result_;
+};
 
 }  // namespace
 
@@ -270,50 +404,7 @@ double deviation_of(const surface_mesh& before, const surface_mesh& after) {
 expected<replaced> replace_cavity(mesh_builder& builder, const cavity& hollow,
                                   const labelled_surface& surface, const tool_surface& tool,
                                   const execution& run) {
-  const auto shell = compact(surface.mesh);
-  tet_filling filling;
-  if (!shell.surface.triangles.empty()) {
-    auto made = tetrahedralise_surface(shell.surface, run, 0);
-    if (!made)
-      return fail(made.error());
-    filling = std::move(*made);
-  }
-  std::vector<vertex_id> vertices(filling.points.size());
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-    vertices[i] = i < shell.origin.size() && shell.origin[i] >= 0
-                    ? hollow.vertices[shell.origin[i]]
-                    : builder.add_vertex(filling.points[i]);
-  replaced result;
-  result.surfaces.resize(tool.names.size());
-  cavity_change change;
-  change.removed = hollow.tets;
-  change.removed.insert(change.removed.end(), hollow.gone.begin(), hollow.gone.end());
-  for (const auto& t : filling.tets)
-    change.added.push_back(
-      {{{vertices[t[0]], vertices[t[1]], vertices[t[2]], vertices[t[3]]}}, hollow.region});
-  const auto& labels = surface.labels;
-  for (std::size_t i = 0; i < shell.surface.triangles.size(); ++i) {
-    const auto label = shell.label[i];
-    if (label == surface_labels::shell)
-      continue;
-    surface_id id = 0;
-    if (labels.is_tool(label)) {
-      auto& made = result.surfaces[labels.tool_face(label)];
-      if (!made)
-        made = builder.add_surface(tool.names[labels.tool_face(label)]);
-      id = *made;
-    } else {
-      id = labels.part[label];
-    }
-    const auto& t = shell.surface.triangles[i];
-    change.facets.push_back({{vertices[t[0]], vertices[t[1]], vertices[t[2]]}, id});
-  }
-  auto added = builder.apply(change);
-  if (!added)
-    return fail(ec::mesher_failed, added.error().message);
-  drop_bare_interfaces(builder);
-  result.tets = std::move(*added);
-  return result;
+  return cavity_filler(builder, hollow, surface, tool).replace(run);
 }
 
 }  // namespace tedit::ops

@@ -13,7 +13,13 @@ namespace tedit::ops {
 /// What the triangles of a boolean's result belong to: surfaces of the part first, then faces of
 /// the tool.
 struct surface_labels {
-  std::vector<surface_id> part;
+  /// A surface of the part, or an interface between two of its regions, which may have no id.
+  struct part_surface {
+    std::optional<surface_id> id;
+    bool between = false;
+    friend bool operator==(const part_surface&, const part_surface&) = default;
+  };
+  std::vector<part_surface> part;
   std::size_t tool_faces = 0;
 
   static constexpr std::int32_t shell = -1;  ///< Against tets that stay.
@@ -33,7 +39,8 @@ struct labelled_surface {
 /// The result of the exact boolean with labels, sizes and what must stay: the part's triangles
 /// more than `free_steps` from anything new. Errors: `mesher_failed`
 /// where a triangle against a tet that stays was cut, or where what was taken does not hang
-/// together with what goes.
+/// together with what goes; `invalid_argument` where an interface without an id would become a
+/// wall.
 /// @param continues what each face of the tool is a part of; may be empty.
 [[nodiscard]] expected<labelled_surface> label_surface(
   const mesh_version& mesh, const cavity& hollow, const tool_surface& tool,
@@ -44,7 +51,8 @@ struct labelled_surface {
 /// have not moved.
 [[nodiscard]] double deviation_of(const surface_mesh& before, const surface_mesh& after);
 
-/// The cavity's tets and those that go are replaced by a filling of the surface. Returns the new
+/// The cavity's tets and those that go are replaced by a filling of the surface, each region by its
+/// own. Returns the new
 /// tets, and the surface that each face of the tool became, if any of it is left. Errors: those of
 /// the mesher.
 struct replaced {

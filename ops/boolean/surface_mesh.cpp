@@ -25,21 +25,33 @@ void surface_mesh::connect() {
     if (f.frozen)
       for (const auto v : f.v)
         vertices[v].fixed = true;
-  for (std::uint32_t v = 0; v < vertices.size(); ++v) {
-    std::map<std::uint32_t, int> edges;
-    for (const auto f : at_[v])
-      for (const auto w : faces[f].v)
-        edges[w] += w != v;
-    edges.erase(v);
-    const bool even = std::ranges::all_of(edges, [](const auto& row) { return row.second == 2; });
-    if (!even || !is_one_fan(v))
-      vertices[v].fixed = true;
-  }
+  for (const auto& f : faces)
+    side_count_ = std::max({side_count_, f.sides[0] + 1, f.sides[1] + 1});
+  for (std::uint32_t v = 0; v < vertices.size(); ++v)
+    for (std::int32_t side = 0; side < side_count_; ++side)
+      if (!is_regular(v, side))
+        vertices[v].fixed = true;
 }
 
-/// Do the faces at v hang together over edges at v?
-bool surface_mesh::is_one_fan(std::uint32_t v) const {
-  auto left = at_[v];
+/// Are the faces of that region at v one fan, with two of them at each edge?
+bool surface_mesh::is_regular(std::uint32_t v, std::int32_t side) const {
+  std::vector<std::uint32_t> own;
+  std::map<std::uint32_t, int> edges;
+  for (const auto f : at_[v]) {
+    const auto& row = faces[f];
+    if (row.sides[0] != side && row.sides[1] != side)
+      continue;
+    own.push_back(f);
+    for (const auto w : row.v)
+      edges[w] += w != v;
+  }
+  edges.erase(v);
+  return std::ranges::all_of(edges, [](const auto& row) { return row.second == 2; }) &&
+         is_one_fan(std::move(own));
+}
+
+/// Do these faces at a vertex hang together over edges?
+bool surface_mesh::is_one_fan(std::vector<std::uint32_t> left) const {
   if (left.empty())
     return true;
   std::vector<std::uint32_t> open{left.back()};
@@ -77,6 +89,20 @@ bool surface_mesh::faces_of_edge(std::uint32_t a, std::uint32_t b,
   return count == 2;
 }
 
+std::vector<std::uint32_t> surface_mesh::all_faces_of_edge(std::uint32_t a, std::uint32_t b) const {
+  std::vector<std::uint32_t> result;
+  if (is_edge(a, b))
+    for (const auto f : at_[a])
+      if (has(f, b))
+        result.push_back(f);
+  return result;
+}
+
+bool surface_mesh::is_edge(std::uint32_t a, std::uint32_t b) const {
+  const auto count = std::ranges::count_if(at_[a], [&](auto f) { return has(f, b); });
+  return count == 2 || (count > 2 && side_count_ > 1);
+}
+
 bool surface_mesh::bends(std::uint32_t f, std::uint32_t g) const {
   const auto& one = faces[f];
   const auto& other = faces[g];
@@ -110,14 +136,41 @@ surface_mesh::freedom surface_mesh::freedom_of(std::uint32_t v) const {
 }
 
 bool surface_mesh::may_go(std::uint32_t a, std::uint32_t b) const {
-  std::array<std::uint32_t, 2> at{};
-  if (!faces_of_edge(a, b, at) || faces[at[0]].frozen || faces[at[1]].frozen)
+  std::size_t count = 0;
+  for (const auto f : at_[a])
+    if (has(f, b)) {
+      if (faces[f].frozen)
+        return false;
+      ++count;
+    }
+  if (!is_edge(a, b))
     return false;
-  const auto near_a = neighbours(a);
   const auto near_b = neighbours(b);
-  const auto common = std::ranges::count_if(
-    near_a, [&](auto w) { return std::ranges::find(near_b, w) != near_b.end(); });
-  return common == 2;
+  auto common = neighbours(a);
+  std::erase_if(common, [&](auto w) { return std::ranges::find(near_b, w) == near_b.end(); });
+  if (common.size() != count)
+    return false;
+  return side_count_ == 1 || ((count > 2 || !is_at_interface_end(a) || !is_at_interface_end(b)) &&
+                              !closes_pocket(a, b, common));
+}
+
+/// An edge of v has more than two faces.
+bool surface_mesh::is_at_interface_end(std::uint32_t v) const {
+  return std::ranges::any_of(neighbours(v),
+                             [&](auto w) { return all_faces_of_edge(v, w).size() > 2; });
+}
+
+/// Would two faces come to lie on each other, with what is between two interfaces gone?
+bool surface_mesh::closes_pocket(std::uint32_t a, std::uint32_t b,
+                                 const std::vector<std::uint32_t>& common) const {
+  const auto opposite = [&](std::uint32_t v, std::uint32_t w, std::uint32_t x) {
+    return std::ranges::any_of(at_[v], [&](auto f) { return has(f, w) && has(f, x); });
+  };
+  for (std::size_t i = 0; i < common.size(); ++i)
+    for (std::size_t j = i + 1; j < common.size(); ++j)
+      if (opposite(a, common[i], common[j]) && opposite(b, common[i], common[j]))
+        return true;
+  return false;
 }
 
 vec3 surface_mesh::normal_of(const triangle& t) const {
@@ -168,8 +221,8 @@ void surface_mesh::merge(std::uint32_t u, std::uint32_t v) {
 }
 
 std::uint32_t surface_mesh::split(std::uint32_t a, std::uint32_t b, vec3 p) {
-  std::array<std::uint32_t, 2> at{};
-  if (!faces_of_edge(a, b, at) || faces[at[0]].frozen || faces[at[1]].frozen)
+  const auto at = all_faces_of_edge(a, b);
+  if (at.empty() || std::ranges::any_of(at, [&](auto f) { return faces[f].frozen; }))
     return no_id;
   const auto middle = static_cast<std::uint32_t>(vertices.size());
   vertices.push_back({p, size(a, b), -1, false});

@@ -13,7 +13,10 @@
 #include <cstdio>
 #include <iterator>
 #include <map>
+#include <memory>
+#include <numeric>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "ops/mesher/corefine_exchange.hpp"
@@ -108,23 +111,24 @@ std::vector<point> exact_points(const soup& s, const std::vector<plane_points>& 
 /// where an edge has not one triangle on each side.
 class fan_builder {
 public:
-  fan_builder(const soup& s, const std::vector<point>& points, surface& mesh)
-      : soup_(s), points_(points), mesh_(mesh), corners_(s.triangles.size()) {}
+  fan_builder(std::span<const triple> triangles, const std::vector<point>& points, surface& mesh)
+      : triangles_(triangles), points_(points), mesh_(mesh), corners_(triangles.size()) {}
 
-  bool build(parents& parent, bool second) {
-    for (std::uint32_t t = 0; t < soup_.triangles.size(); ++t)
+  /// The first triangle is told as a part of `from`, the others as of the next ones.
+  bool build(parents& parent, std::int32_t from, bool second) {
+    for (std::uint32_t t = 0; t < triangles_.size(); ++t)
       for (int k = 0; k < 3; ++k)
-        if (!edges_.try_emplace({soup_.triangles[t][k], soup_.triangles[t][(k + 1) % 3]}, t).second)
+        if (!edges_.try_emplace({triangles_[t][k], triangles_[t][(k + 1) % 3]}, t).second)
           return false;
-    for (std::uint32_t t = 0; t < soup_.triangles.size(); ++t)
+    for (std::uint32_t t = 0; t < triangles_.size(); ++t)
       for (int k = 0; k < 3; ++k)
-        if (!corners_[t][k] && !turn_fan(t, soup_.triangles[t][k]))
+        if (!corners_[t][k] && !turn_fan(t, triangles_[t][k]))
           return false;
-    for (std::uint32_t t = 0; t < soup_.triangles.size(); ++t) {
+    for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
       const auto f = mesh_.add_face(*corners_[t][0], *corners_[t][1], *corners_[t][2]);
       if (f == surface::null_face())
         return false;
-      const auto i = static_cast<std::int32_t>(t);
+      const auto i = from + static_cast<std::int32_t>(t);
       parent[f] = second ? -1 - i : i;
     }
     return true;
@@ -136,7 +140,7 @@ private:
     const auto fresh = mesh_.add_vertex(points_[v]);
     std::uint32_t t = first;
     do {
-      const auto& corners = soup_.triangles[t];
+      const auto& corners = triangles_[t];
       const int k = corners[0] == v ? 0 : corners[1] == v ? 1 : 2;
       if (corners[k] != v || corners_[t][k])
         return false;
@@ -149,21 +153,35 @@ private:
     return true;
   }
 
-  const soup& soup_;
+  std::span<const triple> triangles_;
   const std::vector<point>& points_;
   surface& mesh_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> edges_;
   std::vector<std::array<std::optional<vertex>, 3>> corners_;
 };
 
+/// A surface, and what each of its triangles is a part of.
+struct tracked {
+  surface mesh;
+  parents parent = mesh.add_property_map<face, std::int32_t>(name, 0).first;
+
+  tracked() = default;
+  tracked(const tracked& other)
+      : mesh(other.mesh), parent(mesh.property_map<face, std::int32_t>(name).first) {}
+  tracked& operator=(const tracked&) = delete;
+
+  static constexpr auto name = "f:parent";
+};
+
 /// Hands on what each part of a triangle is a part of.
 struct parent_keeper : pmp::Corefinement::Default_visitor<surface> {
-  std::array<const surface*, 3> meshes;
-  std::array<parents, 3> of;
+  std::array<tracked*, 3> of;
   std::int32_t split = 0;
 
   parents& at(const surface& mesh) {
-    return &mesh == meshes[0] ? of[0] : &mesh == meshes[1] ? of[1] : of[2];
+    return &mesh == &of[0]->mesh   ? of[0]->parent
+           : &mesh == &of[1]->mesh ? of[1]->parent
+                                   : of[2]->parent;
   }
   void before_subface_creations(face f, const surface& mesh) { split = at(mesh)[f]; }
   void after_subface_created(face f, const surface& mesh) { at(mesh)[f] = split; }
@@ -171,6 +189,16 @@ struct parent_keeper : pmp::Corefinement::Default_visitor<surface> {
     at(target)[to] = at(source)[from];
   }
 };
+
+/// What is left of both, which get each other's edges.
+bool operate(std::uint32_t mode, tracked& one, tracked& other, tracked& out) {
+  parent_keeper keeper;
+  keeper.of = {&one, &other, &out};
+  const auto told = CGAL::parameters::visitor(keeper);
+  return mode == 0   ? pmp::corefine_and_compute_difference(one.mesh, other.mesh, out.mesh, told)
+         : mode == 1 ? pmp::corefine_and_compute_union(one.mesh, other.mesh, out.mesh, told)
+                     : pmp::corefine_and_compute_intersection(one.mesh, other.mesh, out.mesh, told);
+}
 
 place rounded(const point& p) {
   CGAL::exact(p);
@@ -183,40 +211,55 @@ struct result {
   std::vector<std::int32_t> origin;
   std::vector<triple> triangles;
   std::vector<std::int32_t> parent;
+  std::vector<std::uint32_t> share;
 };
 
 /// Rounds the result; points of the first surface get their old coordinates back, points that
 /// round to the same place become one.
-void collect(const surface& mesh, const parents& parent, const soup& first,
-             const std::vector<point>& exact_first, result& out) {
-  std::map<place, std::int32_t> known;
-  for (std::size_t i = 0; i < exact_first.size(); ++i)
-    known[rounded(exact_first[i])] = static_cast<std::int32_t>(i);
-  std::map<place, std::uint32_t> index;
-  std::vector<std::uint32_t> of_vertex(mesh.num_vertices() + mesh.number_of_removed_vertices());
-  for (const auto v : mesh.vertices()) {
-    auto p = rounded(mesh.point(v));
-    const auto old = known.find(p);
-    if (old != known.end())
-      p = first.points[old->second];
-    const auto [row, fresh] = index.try_emplace(p, static_cast<std::uint32_t>(out.points.size()));
-    if (fresh) {
-      out.points.push_back(p);
-      out.origin.push_back(old == known.end() ? -1 : old->second);
+class collector {
+public:
+  collector(const soup& first, const std::vector<point>& exact_first, result& out)
+      : first_(first), out_(out) {
+    for (std::size_t i = 0; i < exact_first.size(); ++i)
+      known_[rounded(exact_first[i])] = static_cast<std::int32_t>(i);
+  }
+
+  void add(const tracked& part, std::uint32_t share) {
+    const auto& mesh = part.mesh;
+    std::vector<std::uint32_t> of_vertex(mesh.num_vertices() + mesh.number_of_removed_vertices());
+    for (const auto v : mesh.vertices())
+      of_vertex[v] = index_of(rounded(mesh.point(v)));
+    for (const auto f : mesh.faces()) {
+      triple t{};
+      int k = 0;
+      for (const auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
+        t[k++] = of_vertex[v];
+      if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0])
+        continue;
+      out_.triangles.push_back(t);
+      out_.parent.push_back(part.parent[f]);
+      out_.share.push_back(share);
     }
-    of_vertex[v] = row->second;
   }
-  for (const auto f : mesh.faces()) {
-    triple t{};
-    int k = 0;
-    for (const auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
-      t[k++] = of_vertex[v];
-    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0])
-      continue;
-    out.triangles.push_back(t);
-    out.parent.push_back(parent[f]);
+
+private:
+  std::uint32_t index_of(place p) {
+    const auto old = known_.find(p);
+    if (old != known_.end())
+      p = first_.points[old->second];
+    const auto [row, fresh] = index_.try_emplace(p, static_cast<std::uint32_t>(out_.points.size()));
+    if (fresh) {
+      out_.points.push_back(p);
+      out_.origin.push_back(old == known_.end() ? -1 : old->second);
+    }
+    return row->second;
   }
-}
+
+  const soup& first_;
+  result& out_;
+  std::map<place, std::int32_t> known_;
+  std::map<place, std::uint32_t> index_;
+};
 
 /// Do triangles pass through each other? Such a surface bounds nothing, and CGAL may never come
 /// back from it. Triangles that have a corner's place in common only touch there: outlines may. In
@@ -249,43 +292,108 @@ bool meets_itself(const soup& s) {
   });
 }
 
-result combine(std::uint32_t mode, const std::array<soup, 2>& in,
-               const std::vector<plane_points>& planes) {
-  result out;
-  std::array<surface, 3> mesh;
-  std::array<std::vector<point>, 2> exact;
-  parent_keeper keeper;
-  for (int i = 0; i < 3; ++i) {
-    keeper.meshes[i] = &mesh[i];
-    keeper.of[i] = mesh[i].add_property_map<face, std::int32_t>("f:parent", 0).first;
+class combination {
+public:
+  combination(std::uint32_t mode, const std::array<soup, 2>& in,
+              const std::vector<std::uint32_t>& shares, const std::vector<plane_points>& planes)
+      : mode_(mode),
+        in_(in),
+        shares_(shares),
+        exact_{exact_points(in[0], planes, 0), exact_points(in[1], planes, 1)},
+        collector_(in[0], exact_[0], out_) {}
+
+  result made() {
+    out_.answer.status = run();
+    return std::move(out_);
   }
-  for (int i = 0; i < 2; ++i) {
-    exact[i] = exact_points(in[i], planes, i);
-    if (!fan_builder(in[i], exact[i], mesh[i]).build(keeper.of[i], i == 1)) {
-      out.answer.status =
-        i == 0 ? corefine_status::first_not_manifold : corefine_status::second_not_manifold;
-      return out;
+
+private:
+  corefine_status run() {
+    std::vector<tracked> first(shares_.size());
+    std::uint32_t from = 0;
+    for (std::size_t i = 0; i < shares_.size(); from += shares_[i++]) {
+      const auto own = std::span(in_[0].triangles).subspan(from, shares_[i]);
+      if (!fan_builder(own, exact_[0], first[i].mesh)
+             .build(first[i].parent, static_cast<std::int32_t>(from), false))
+        return corefine_status::first_not_manifold;
     }
+    tracked tool;
+    if (!fan_builder(in_[1].triangles, exact_[1], tool.mesh).build(tool.parent, 0, true))
+      return corefine_status::second_not_manifold;
+    if (meets_itself(in_[1]))
+      return corefine_status::second_meets_itself;
+    if (mode_ == 1 && first.size() > 1)
+      return add_to_one(first, tool);
+    for (std::uint32_t i = 0; i < first.size(); ++i) {
+      tracked own_tool(tool);
+      tracked result;
+      const double before = volume_of(first[i]);
+      if (!operate(mode_, first[i], own_tool, result))
+        return corefine_status::result_not_manifold;
+      take(result, i, before);
+    }
+    return corefine_status::done;
   }
-  if (meets_itself(in[1])) {
-    out.answer.status = corefine_status::second_meets_itself;
-    return out;
+
+  /// One share gets what of the tool is outside of the others.
+  corefine_status add_to_one(std::vector<tracked>& first, const tracked& tool) {
+    std::optional<std::uint32_t> home;
+    double most = -1;
+    for (std::uint32_t i = 0; i < first.size(); ++i) {
+      tracked own(first[i]);
+      tracked own_tool(tool);
+      tracked both;
+      if (!operate(1, own, own_tool, both))
+        return corefine_status::result_not_manifold;
+      const double covered = area_of_first(first[i]) - area_of_first(both);
+      if (covered > most * (1 + 1e-9)) {
+        home = i;
+        most = covered;
+      }
+    }
+    auto rest = std::make_unique<tracked>(tool);
+    for (std::uint32_t i = 0; i < first.size(); ++i) {
+      if (i == *home)
+        continue;
+      auto less = std::make_unique<tracked>();
+      const double before = volume_of(first[i]);
+      if (!operate(0, *rest, first[i], *less))
+        return corefine_status::result_not_manifold;
+      rest = std::move(less);
+      take(first[i], i, before);
+    }
+    tracked result;
+    const double before = volume_of(first[*home]);
+    if (!operate(1, first[*home], *rest, result))
+      return corefine_status::result_not_manifold;
+    take(result, *home, before);
+    return corefine_status::done;
   }
-  out.answer.volume_before = CGAL::to_double(pmp::volume(mesh[0]));
-  const auto told = CGAL::parameters::visitor(keeper);
-  const bool done =
-    mode == 0   ? pmp::corefine_and_compute_difference(mesh[0], mesh[1], mesh[2], told)
-    : mode == 1 ? pmp::corefine_and_compute_union(mesh[0], mesh[1], mesh[2], told)
-                : pmp::corefine_and_compute_intersection(mesh[0], mesh[1], mesh[2], told);
-  if (!done) {
-    out.answer.status = corefine_status::result_not_manifold;
-    return out;
+
+  static double volume_of(const tracked& t) { return CGAL::to_double(pmp::volume(t.mesh)); }
+
+  /// Of what is a part of the first surface.
+  static double area_of_first(const tracked& t) {
+    double sum = 0;
+    for (const auto f : t.mesh.faces())
+      if (t.parent[f] >= 0)
+        sum += std::sqrt(CGAL::to_double(pmp::squared_face_area(f, t.mesh)));
+    return sum;
   }
-  out.answer.volume_after = CGAL::to_double(pmp::volume(mesh[2]));
-  collect(mesh[2], keeper.of[2], in[0], exact[0], out);
-  out.answer.status = corefine_status::done;
-  return out;
-}
+
+  void take(const tracked& part, std::uint32_t share, double before) {
+    out_.answer.volume_before += before;
+    out_.answer.volume_after += volume_of(part);
+    collector_.add(part, share);
+  }
+
+  std::uint32_t mode_;
+  const std::array<soup, 2>& in_;
+  const std::vector<std::uint32_t>& shares_;
+  std::array<std::vector<point>, 2> exact_;
+  result out_;
+  collector collector_;
+};
 
 bool read_planes(std::vector<plane_points>& planes, const std::array<soup, 2>& in) {
   for (auto& row : planes) {
@@ -305,21 +413,25 @@ int tedit::ops::combine_surfaces(std::uint32_t magic) {
   corefine_header header;
   constexpr std::uint32_t most = 10'000'000;
   if (!read_rest(header, magic) || header.mode > 2 || header.planes > 10'000 ||
-      !end_after(header.most_ms))
+      header.shares == 0 || header.shares > 1000 || !end_after(header.most_ms))
     return 2;
   std::array<soup, 2> in;
   for (int i = 0; i < 2; ++i)
     if (header.points[i] > most || header.triangles[i] > most ||
         !read_soup(in[i], header.points[i], header.triangles[i]))
       return 2;
+  std::vector<std::uint32_t> shares;
+  if (!read_all(shares, header.shares) ||
+      std::accumulate(shares.begin(), shares.end(), std::uint64_t{0}) != header.triangles[0])
+    return 2;
   std::vector<plane_points> planes(header.planes);
   if (!read_planes(planes, in))
     return 2;
-  auto out = combine(header.mode, in, planes);
+  auto out = combination(header.mode, in, shares, planes).made();
   out.answer.points = static_cast<std::uint32_t>(out.points.size());
   out.answer.triangles = static_cast<std::uint32_t>(out.triangles.size());
   const bool ok = std::fwrite(&out.answer, sizeof(out.answer), 1, stdout) == 1 &&
                   write_all(out.points) && write_all(out.origin) && write_all(out.triangles) &&
-                  write_all(out.parent) && std::fflush(stdout) == 0;
+                  write_all(out.parent) && write_all(out.share) && std::fflush(stdout) == 0;
   return ok ? 0 : 4;
 }
