@@ -83,7 +83,7 @@ forked_limits limits_of(const operation_limits& given, const catalogue::entry& e
   auto reach = reach_of_plugins({entry.file});
   reach.file_bytes = limits.memory_bytes;
   limits.confine = [reach] { return confine_to(reach); };
-  limits.program = given.program;
+  limits.programs = given.programs;
   return limits;
 }
 
