@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "mesh/io/read_mesh.hpp"
 
 namespace tedit {
 
@@ -53,6 +54,10 @@ struct med_content {
 [[nodiscard]] std::vector<char> to_bytes(const med_content& content);
 /// The inverse. Errors: `internal` where the bytes are none of that.
 [[nodiscard]] expected<med_content> content_from(std::span<const char> bytes);
+
+/// What a file's content is as a mesh: groups of faces are surfaces, those of tets regions; each
+/// number is checked. Errors: `bad_input`, `out_of_memory`. Cost: O(n log n).
+[[nodiscard]] expected<read_mesh> mesh_from(med_content content);
 
 /// That it was refused, as an answer.
 [[nodiscard]] std::vector<char> to_answer(const error& why);

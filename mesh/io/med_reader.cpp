@@ -205,6 +205,10 @@ private:
 
 }  // namespace
 
+expected<read_mesh> mesh_from(med_content content) {
+  return guarded_read([&] { return med_reader(std::move(content)).run(); });
+}
+
 bool formats::med::recognises(std::span<const char> bytes) {
   return is_hdf5(bytes);
 }
@@ -216,7 +220,7 @@ expected<read_mesh> formats::med::read(std::span<const char> bytes) {
   auto content = content_from(*answer);
   if (!content)
     return fail(content.error());
-  return guarded_read([&] { return med_reader(std::move(*content)).run(); });
+  return mesh_from(std::move(*content));
 }
 
 }  // namespace tedit

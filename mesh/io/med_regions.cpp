@@ -118,8 +118,8 @@ void med_regions::number_others() {
     if (number && taken.insert(static_cast<region_id>(*number)).second)
       numbers.push_back(static_cast<region_id>(*number));
   }
-  const bool all =
-    std::ranges::count(parts_, false, &part::has_id) == static_cast<std::ptrdiff_t>(numbers.size());
+  const bool all = std::ranges::count(parts_, false, &tet_set::has_id) ==
+                   static_cast<std::ptrdiff_t>(numbers.size());
   region_id next = 0;
   std::size_t place = 0;
   for (auto& part : parts_) {

@@ -28,7 +28,7 @@ public:
   [[nodiscard]] const std::string& notice() const { return notice_; }
 
 private:
-  struct part {
+  struct tet_set {
     std::vector<std::string> groups;
     std::vector<std::int32_t> families;
     std::size_t tets = 0;
@@ -42,7 +42,7 @@ private:
   void number_others();
   void say_lost(const std::map<std::string, std::size_t>& sizes);
 
-  std::vector<part> parts_;
+  std::vector<tet_set> parts_;
   std::map<std::int32_t, region_id> region_of_;
   std::vector<region_info> names_;
   std::string notice_;
