@@ -9,7 +9,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <optional>
 
@@ -52,7 +54,7 @@ constexpr bool limit_addresses = true;
 /// The other process that starts programs for this one, where this one may not.
 struct starter {
   unique_fd line;
-  std::filesystem::path program;  ///< The one that it starts.
+  std::vector<std::filesystem::path> programs;  ///< Those that it starts.
 };
 
 starter& other_starter() {
@@ -107,7 +109,9 @@ public:
 
 private:
   static expected<child_program> ask(const std::vector<std::string>& command, int in, int out) {
-    if (command != std::vector{other_starter().program.string()})
+    const auto& hosted = other_starter().programs;
+    const auto found = std::ranges::find(hosted, std::filesystem::path(command.front()));
+    if (command.size() != 1 || found == hosted.end())
       return fail(ec::service_unavailable, "this process may not start " + command.front(),
                   "Operations and files run without other programs");
     auto status = make_pipe();
@@ -115,7 +119,8 @@ private:
     if (!status || !wanted)
       return fail((status ? wanted : status).error());
     if (!send_descriptors(other_starter().line.get(),
-                          {in, out, status->in.get(), wanted->out.get()}))
+                          {in, out, status->in.get(), wanted->out.get()},
+                          static_cast<std::uint8_t>(found - hosted.begin())))
       return fail(ec::service_unavailable, "the process that starts programs for this one is gone");
     child_program made;
     made.status_ = std::move(status->out);
@@ -196,8 +201,8 @@ pid_t start_program(const std::vector<std::string>& command, int in, int out,
   return child;
 }
 
-void start_programs_by(unique_fd line, const std::filesystem::path& program) {
-  other_starter() = {std::move(line), program};
+void start_programs_by(unique_fd line, std::vector<std::filesystem::path> programs) {
+  other_starter() = {std::move(line), std::move(programs)};
 }
 
 int program_line_fd() {
@@ -207,6 +212,11 @@ int program_line_fd() {
 std::filesystem::path executable_folder() {
   std::error_code code;
   return std::filesystem::read_symlink("/proc/self/exe", code).parent_path();
+}
+
+std::filesystem::path helper_program(std::string_view name) {
+  const char* folder = std::getenv("TEDIT_LIBEXEC");
+  return (folder ? std::filesystem::path(folder) : executable_folder()) / name;
 }
 
 expected<std::vector<char>> run_child(const std::vector<std::string>& command,

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/error.hpp"
@@ -40,5 +41,8 @@ struct child_limits {
 
 /// The folder of the running executable.
 [[nodiscard]] std::filesystem::path executable_folder();
+
+/// Where a program of ours lies that this one starts: in $TEDIT_LIBEXEC, else beside this one.
+[[nodiscard]] std::filesystem::path helper_program(std::string_view name);
 
 }  // namespace tedit

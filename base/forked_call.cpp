@@ -227,7 +227,7 @@ void confine(const forked_limits& limits, const caller_line& caller, unique_fd p
   std::ranges::copy(caller.descriptors(), std::back_inserter(kept));
   close_files_except(std::move(kept));
   if (programs)
-    start_programs_by(std::move(programs), limits.program);
+    start_programs_by(std::move(programs), limits.programs);
   if (const auto done = limits.confine(); !done) {
     std::fprintf(stderr, "%s\n", render(done.error()).c_str());
     _exit(status_not_confined);
@@ -302,7 +302,7 @@ expected<void> call_forked(const std::function<void(const caller_line&)>& work,
   unique_fd line(ends[0]);
   unique_fd to_caller(ends[1]);
   line_ends programs;
-  if (limits.confine && !limits.program.empty()) {
+  if (limits.confine && !limits.programs.empty()) {
     auto made = make_line();
     if (!made)
       return fail(made.error());
@@ -328,7 +328,7 @@ expected<void> call_forked(const std::function<void(const caller_line&)>& work,
   programs.theirs.reset();
   std::optional<program_host> host;
   if (programs.ours)
-    host.emplace(std::move(programs.ours), limits.program, child_limits{});
+    host.emplace(std::move(programs.ours), limits.programs, child_limits{});
   // By its number: the header of glibc 2.36 declares it for C alone.
   const unique_fd end_of_child(static_cast<int>(syscall(SYS_pidfd_open, child, 0)));
   message_reader reader(heard, memory.get());

@@ -11,6 +11,7 @@
 #include <functional>
 #include <mutex>
 #include <span>
+#include <vector>
 
 #include "base/error.hpp"
 #include "base/execution.hpp"
@@ -25,8 +26,8 @@ struct forked_limits {
   /// Called in the copy before the work, when given; then the copy has no other file open than
   /// its standard streams and the line to its caller. An error ends it.
   std::function<expected<void>()> confine;
-  /// The program that the work may have started by `run_child` although it is confined, if any.
-  std::filesystem::path program;
+  /// The programs that the work may have started by `run_child` although it is confined.
+  std::vector<std::filesystem::path> programs = {};
 };
 
 /// The way of a forked call to its caller. Thread-safe.

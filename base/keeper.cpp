@@ -191,8 +191,8 @@ int serve(pid_t child, program_host* programs, folder_watch& files) {
   kept = child;
   std::signal(SIGTERM, pass_on);
   std::optional<program_host> host;
-  if (!options.program.empty())
-    host.emplace(std::move(programs), options.program, child_limits{});
+  if (!options.programs.empty())
+    host.emplace(std::move(programs), options.programs, child_limits{});
   folder_watch files(folder, options.temporary_bytes);
   const int status = serve(child, host ? &*host : nullptr, files);
   host.reset();
@@ -215,7 +215,7 @@ void remove_temporary_folder(pid_t keeper) {
 }
 
 keeper_gifts continue_in_child(const keeper_options& options) {
-  auto programs = options.program.empty() ? line_ends{} : make_line().value_or(line_ends{});
+  auto programs = options.programs.empty() ? line_ends{} : make_line().value_or(line_ends{});
   auto line = options.prepare ? make_line().value_or(line_ends{}) : line_ends{};
   const auto folder = options.temporary_folder ? make_folder() : fs::path();
   const pid_t keeper = getpid();

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <vector>
 
 #include "base/unique_fd.hpp"
 
@@ -13,8 +14,8 @@ namespace tedit {
 
 /// What a keeper does for its child beside waiting for it.
 struct keeper_options {
-  /// The one program that the child may have started (base/program_line.hpp); empty: none.
-  std::filesystem::path program;
+  /// The programs that the child may have started (base/program_line.hpp).
+  std::vector<std::filesystem::path> programs = {};
   /// Whether the child has a folder for temporary files: 0700, gone with it.
   bool temporary_folder = false;
   std::uint64_t temporary_bytes = std::uint64_t{1} << 30;  ///< The most in it.

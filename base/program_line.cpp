@@ -34,9 +34,8 @@ expected<line_ends> make_line() {
   return line_ends{unique_fd(ends[0]), unique_fd(ends[1])};
 }
 
-bool send_descriptors(int line, const std::vector<int>& descriptors) {
-  char one = 0;
-  iovec text{&one, 1};
+bool send_descriptors(int line, const std::vector<int>& descriptors, std::uint8_t number) {
+  iovec text{&number, 1};
   control_room room{};
   msghdr message{};
   message.msg_iov = &text;
@@ -55,9 +54,9 @@ bool send_descriptors(int line, const std::vector<int>& descriptors) {
   return sent == 1;
 }
 
-std::vector<unique_fd> take_descriptors(int line, bool& ended, bool wait) {
-  char one = 0;
-  iovec text{&one, 1};
+taken_descriptors take_descriptors(int line, bool& ended, bool wait) {
+  taken_descriptors result;
+  iovec text{&result.number, 1};
   control_room room{};
   msghdr message{};
   message.msg_iov = &text;
@@ -69,7 +68,6 @@ std::vector<unique_fd> take_descriptors(int line, bool& ended, bool wait) {
     got = recvmsg(line, &message, MSG_CMSG_CLOEXEC | (wait ? 0 : MSG_DONTWAIT));
   while (got < 0 && errno == EINTR);
   ended = got == 0 || (got < 0 && errno != EAGAIN);
-  std::vector<unique_fd> result;
   if (got <= 0)
     return result;
   for (auto* head = CMSG_FIRSTHDR(&message); head; head = CMSG_NXTHDR(&message, head)) {
@@ -79,7 +77,7 @@ std::vector<unique_fd> take_descriptors(int line, bool& ended, bool wait) {
     const auto bytes = std::min(head->cmsg_len - CMSG_LEN(0), sizeof(numbers));
     std::memcpy(numbers.data(), CMSG_DATA(head), bytes);
     for (std::size_t i = 0; i < bytes / sizeof(int); ++i)
-      result.emplace_back(numbers[i]);
+      result.all.emplace_back(numbers[i]);
   }
   return result;
 }
@@ -102,12 +100,15 @@ void program_host::wait_for(std::vector<pollfd>& list) const {
   }
 }
 
-void program_host::start(std::vector<unique_fd> ends) {
+void program_host::start(taken_descriptors order) {
+  auto& ends = order.all;
   // Otherwise the line of its status closes without one, and who asked knows.
-  if (ends.size() != most_descriptors || all_.size() >= most_at_once)
+  if (ends.size() != most_descriptors || order.number >= programs_.size() ||
+      all_.size() >= most_at_once)
     return;
   running one;
-  one.pid = start_program({program_.string()}, ends[0].get(), ends[1].get(), limits_);
+  one.pid =
+    start_program({programs_[order.number].string()}, ends[0].get(), ends[1].get(), limits_);
   if (one.pid < 0)
     return;
   // By its number: the header of glibc 2.36 declares it for C alone.
@@ -121,12 +122,12 @@ void program_host::look() {
   // Not without end: whoever asks again and again must not keep the host from its other work.
   for (std::size_t i = 0; line_ && i < most_at_once; ++i) {
     bool ended = false;
-    auto ends = take_descriptors(line_.get(), ended);
+    auto order = take_descriptors(line_.get(), ended);
     if (ended)
       line_.reset();
-    if (ends.empty())
+    if (order.all.empty())
       break;
-    start(std::move(ends));
+    start(std::move(order));
   }
   for (auto one = all_.begin(); one != all_.end();) {
     pollfd wanted{one->wanted.get(), 0, 0};

@@ -5,6 +5,7 @@
 #include <poll.h>
 #include <sys/types.h>
 
+#include <cstdint>
 #include <list>
 #include <vector>
 
@@ -22,19 +23,26 @@ struct line_ends {
 /// Errors: `service_unavailable`.
 [[nodiscard]] expected<line_ends> make_line();
 
-/// Hands descriptors over; false when the other end is gone.
-[[nodiscard]] bool send_descriptors(int line, const std::vector<int>& descriptors);
+/// Hands descriptors over, and a number beside them; false when the other end is gone.
+[[nodiscard]] bool send_descriptors(int line, const std::vector<int>& descriptors,
+                                    std::uint8_t number = 0);
 
-/// The descriptors of one message, each closed by exec. Empty when there is no message, or at the
-/// line's end, which sets `ended`.
-[[nodiscard]] std::vector<unique_fd> take_descriptors(int line, bool& ended, bool wait = false);
+/// What came in one message.
+struct taken_descriptors {
+  std::vector<unique_fd> all;  ///< Each closed by exec.
+  std::uint8_t number = 0;
+};
 
-/// Starts one program, and no other, for whoever holds the other end of the line: it sends its
-/// ends of pipes and nothing else. For one thread.
+/// None when there is no message, or at the line's end, which sets `ended`.
+[[nodiscard]] taken_descriptors take_descriptors(int line, bool& ended, bool wait = false);
+
+/// Starts some programs, and no others, for whoever holds the other end of the line: it sends its
+/// ends of pipes and the program's place in the list, and nothing else. For one thread.
 class program_host {
 public:
-  program_host(unique_fd line, std::filesystem::path program, const child_limits& limits)
-      : line_(std::move(line)), program_(std::move(program)), limits_(limits) {}
+  program_host(unique_fd line, std::vector<std::filesystem::path> programs,
+               const child_limits& limits)
+      : line_(std::move(line)), programs_(std::move(programs)), limits_(limits) {}
   program_host(const program_host&) = delete;
   program_host& operator=(const program_host&) = delete;
   ~program_host();  ///< Ends what it started.
@@ -53,19 +61,19 @@ private:
     unique_fd wanted;  ///< Closed at the other side when it is not wanted any more.
   };
 
-  void start(std::vector<unique_fd> ends);
+  void start(taken_descriptors order);
 
   static constexpr std::size_t most_at_once = 16;
 
   unique_fd line_;
-  std::filesystem::path program_;
+  std::vector<std::filesystem::path> programs_;
   child_limits limits_;
   std::list<running> all_;
 };
 
-/// From now on `run_child` of this process asks at `line` for the program that is hosted there, and
-/// can start no other.
-void start_programs_by(unique_fd line, const std::filesystem::path& program);
+/// From now on `run_child` of this process asks at `line` for the programs that are hosted there,
+/// in the host's order, and can start no other and none with arguments.
+void start_programs_by(unique_fd line, std::vector<std::filesystem::path> programs);
 
 /// The line's number, or -1: what a process keeps open that closes all else.
 [[nodiscard]] int program_line_fd();

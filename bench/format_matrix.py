@@ -15,7 +15,7 @@ import subprocess
 import sys
 import tempfile
 
-FORMATS = ["msh", "msh2", "vtu", "inp", "bdf", "unv"]
+FORMATS = ["msh", "msh2", "vtu", "inp", "bdf", "unv", "med"]
 DECKS = ["inp", "bdf"]
 CLAMPED = {"materials": [{"name": "steel", "young_modulus_pa": 2.1e11, "poisson_ratio": 0.3, "density_kg_m3": 7850.0}],
            "loads": [{"gravity": {"m_s2": {"z": -9.81}}}]}
@@ -115,6 +115,20 @@ def opened_by_gmsh(file, tets):
     return kept.exists() and kept.stat().st_size > 0 and "Error" not in said and tets
 
 
+def opened_by_freecad(file, tets):
+    """By the mesh library of Salome that it has in it; that wants a mesh of MED to be called like the file."""
+    sys.path.append("/usr/lib/freecad-python3/lib")
+    import FreeCAD  # noqa: F401  The library needs it.
+    import Fem
+    if file.suffix == ".med":
+        import h5py
+        with h5py.File(file) as content:
+            named = file.with_name(next(iter(content["ENS_MAA"])) + ".med")
+        named.write_bytes(file.read_bytes())
+        file = named
+    return Fem.read(str(file)).VolumeCount == tets
+
+
 def opened_by_meshio(file, tets):
     import meshio
     mesh = meshio.read(file)
@@ -135,7 +149,8 @@ def solved_by_ccx(file, _):
 
 
 OPENERS = [("gmsh", opened_by_gmsh, ["one.msh", "one.msh2", "one.bdf", "one.unv"]),
-           ("meshio", opened_by_meshio, ["one.msh", "one.msh2", "one.vtu", "one.inp", "one.bdf"]),
+           ("meshio", opened_by_meshio, ["one.msh", "one.msh2", "one.vtu", "one.inp", "one.bdf", "one.med"]),
+           ("FreeCAD", opened_by_freecad, ["one.med", "one.unv"]),
            ("VTK", opened_by_vtk, ["one.vtu"]),
            ("ccx", solved_by_ccx, ["deck.inp"])]
 
@@ -167,7 +182,7 @@ def main():
     parser.add_argument("parts", nargs="+", type=pathlib.Path)
     options = parser.parse_args()
     losses = 0
-    print("| part | tets | surfaces | pairs of 36 alike | quadratic `.inp` | quadratic `.bdf` |\n| --- | --- | --- | --- | --- | --- |")
+    print(f"| part | tets | surfaces | pairs of {len(FORMATS) ** 2} alike | quadratic `.inp` | quadratic `.bdf` |\n| --- | --- | --- | --- | --- | --- |")
     for part in options.parts:
         with tempfile.TemporaryDirectory() as name:
             trips = Trips(options.tedit, pathlib.Path(name))

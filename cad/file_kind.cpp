@@ -26,6 +26,8 @@ bool is_brep(std::string_view head) {
 std::string looks_like(std::string_view head) {
   if (head.starts_with("$MeshFormat"))
     return "a Gmsh mesh, which the other commands take as it is";
+  if (head.starts_with("\x89HDF"))
+    return "MED or other HDF5, whose mesh the other commands take as it is";
   if (head.starts_with("\x89PNG") || head.starts_with("\xFF\xD8\xFF"))
     return "a picture";
   if (head.starts_with("PK"))

@@ -11,7 +11,6 @@
 #include <cerrno>
 #include <charconv>
 #include <csignal>
-#include <cstdlib>
 #include <cstring>
 #include <ctime>
 
@@ -28,12 +27,6 @@ using clock = std::chrono::steady_clock;
 
 /// More than any line that the programs write.
 constexpr std::size_t longest_line = 65536;
-
-std::filesystem::path path_of(const std::string& name) {
-  if (const char* folder = std::getenv("TEDIT_LIBEXEC"))
-    return std::filesystem::path(folder) / name;
-  return executable_folder() / name;
-}
 
 std::vector<std::string> fields_of(std::string_view line) {
   std::vector<std::string> fields;
@@ -161,7 +154,7 @@ struct running {
 
 running start(const std::string& name, const std::filesystem::path& folder,
               const std::vector<std::string>& arguments, const program_limits& limits) {
-  std::vector<std::string> command{path_of(name).string(), folder.string(),
+  std::vector<std::string> command{helper_program(name).string(), folder.string(),
                                    std::to_string(limits.time.count()),
                                    std::to_string(limits.file_bytes)};
   command.insert(command.end(), arguments.begin(), arguments.end());
@@ -178,7 +171,7 @@ running start(const std::string& name, const std::filesystem::path& folder,
 }  // namespace
 
 expected<void> find_program(const std::string& name) {
-  const auto path = path_of(name);
+  const auto path = helper_program(name);
   if (access(path.c_str(), X_OK) == 0)
     return {};
   return fail(ec::service_unavailable,

@@ -16,6 +16,7 @@
 #include "cli/node_checks.hpp"
 #include "cli/server_checks.hpp"
 #include "fem/solver.hpp"
+#include "mesh/formats.hpp"
 #include "ops/loader/catalogue.hpp"
 #include "ops/loader/confinement.hpp"
 
@@ -50,6 +51,13 @@ check_row check_surface_files() {
   return {"surface files", true, "STL, OBJ, PLY and 3MF are read and meshed"};
 }
 
+check_row check_med() {
+  const auto path = helper_program(formats::med::program);
+  const bool there = access(path.c_str(), X_OK) == 0;
+  return {"MED files", true,
+          there ? "MED files are read and written" : "not read here: there is no " + path.string()};
+}
+
 /// By doing it, in a copy of this process.
 check_row check_sandbox(const doctor_options& options) {
   const auto config = load_config(options.config_file);
@@ -80,6 +88,7 @@ std::vector<check_row> check_all(const doctor_options& options, const cancel_tok
   rows.push_back(check_program("tedit-render", "no pictures (build with -DTEDIT_RENDER=ON)"));
   rows.push_back(check_cad());
   rows.push_back(check_surface_files());
+  rows.push_back(check_med());
   for (const auto& device : fem::list_devices())
     rows.push_back({"device " + device.name, true, device.kind + ", " + device.driver});
   const auto plugins = ops::load_default_catalogue();

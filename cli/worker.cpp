@@ -111,7 +111,7 @@ expected<keeper_gifts> start_keeper(const actors::worker_options& options, sessi
   const auto& facts = actors::facts_of(options.role);
   keeper_options with;
   if (options.confined && facts.runs_plugins) {
-    with.program = ops::mesher_program();
+    with.programs = ops::programs_of_operations();
     with.temporary_folder = true;
   }
   std::optional<joining_keeper> joining;
@@ -120,7 +120,7 @@ expected<keeper_gifts> start_keeper(const actors::worker_options& options, sessi
     with.prepare = [&](int line) { return joining->join(line); };
   }
   auto gifts = continue_in_child(with);
-  if ((!with.program.empty() && !gifts.programs) || (options.joins && !gifts.line))
+  if ((!with.programs.empty() && !gifts.programs) || (options.joins && !gifts.line))
     return fail(ec::service_unavailable, "no second process can be started for the worker",
                 "Close other programs, or raise the limit of processes (ulimit -u)");
   return gifts;
@@ -140,7 +140,7 @@ expected<void> prepare_work(actors::worker_options& options, const worker_comman
   if (!options.confined)
     return {};
   if (gifts.programs)
-    start_programs_by(std::move(gifts.programs), ops::mesher_program());
+    start_programs_by(std::move(gifts.programs), ops::programs_of_operations());
   auto reach = ops::reach_of_plugins(files);
   reach.own_folder = gifts.temporary_folder;
   return sandbox::confine_files(reach);
@@ -154,7 +154,7 @@ expected<void> work_in_child(actors::worker_options& options, const worker_comma
     return fail(gifts.error());
   if (gifts->line) {
     bool ended = false;
-    auto links = take_descriptors(gifts->line.get(), ended, true);
+    auto links = take_descriptors(gifts->line.get(), ended, true).all;
     if (links.empty())
       return fail(ec::service_unavailable, "the server was not joined");
     options.link = links.front().release();

@@ -46,8 +46,8 @@ expected<edit_candidate> run_operation(const ops::catalogue& plugins, const vers
   if (place.log)
     ctx.log = ops::operation_log(wanted.operation, place.log);
   auto limits = place.child.value_or(ops::operation_limits());
-  if (limits.program.empty())
-    limits.program = ops::mesher_program();
+  if (limits.programs.empty())
+    limits.programs = ops::programs_of_operations();
   auto made = place.child
                 ? ops::run_operation_in_child(plugins, wanted.operation, base, {wanted.surfaces},
                                               wanted.parameters, ctx, limits)

@@ -143,6 +143,22 @@ struct unv {
   static file_recogniser recognises;
 };
 
+/// MED of Salome and code_aster, which is HDF5: surfaces as groups of TRIA3, regions as groups of
+/// TETRA4, named as in UNV; the unit that of the axes. The program `tedit-med` reads and writes it:
+/// no other has HDF5 in it. Read are also TETRA10 and TRIA6 and groups of other names. Errors also:
+/// `service_unavailable` where the program is not there.
+struct med {
+  static constexpr file_format about{"med",
+                                     for_people("formats", "MED of Salome and code_aster"),
+                                     "a MED file",
+                                     {.tets = true, .surfaces = true, .unit = true},
+                                     "rmed"};
+  static constexpr std::string_view program = "tedit-med";
+  static file_writer write;
+  static file_reader read;
+  static file_recogniser recognises;
+};
+
 /// Live vertices and tets in slot order, in metres, with the region of each tet; surfaces, ids and
 /// names as field data, so that the cells stay tets. Read are also files of others: text, base64
 /// and raw data, plain or packed by zlib, triangles as surfaces.
@@ -206,7 +222,7 @@ struct glb {
 };
 
 /// In the order in which people are offered them.
-using all = std::tuple<msh, vtu, stl, obj, threemf, ply, glb, inp, bdf, unv, msh2>;
+using all = std::tuple<msh, vtu, stl, obj, threemf, ply, glb, inp, bdf, unv, med, msh2>;
 
 template <class Format>
 consteval file_format describe() {

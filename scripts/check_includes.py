@@ -28,6 +28,7 @@ ROOMS = {
     "mesh": (("base",), ("Eigen/",)),
     "mesh/predicates.cpp": (("mesh", "base"), ("CGAL/",)),
     "mesh/io": (("mesh", "base"), ("nlohmann/", "pugixml", "zlib.h")),
+    "mesh/med": (("mesh/io", "mesh", "sandbox", "base"), ("med.h",)),
     "gpu": (("base",), ("volk.h", "vulkan/")),
     "shaders": ((), ()),
     "fem": (("mesh", "base"), ("Eigen/",)),

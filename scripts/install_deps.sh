@@ -23,6 +23,8 @@ packages=(
   libseccomp-dev
   # CAD files in (the build works without)
   libocct-data-exchange-dev libocct-ocaf-dev libocct-modeling-algorithms-dev libgmsh-dev
+  # MED files in and out (the build works without)
+  libmedc-dev
   # Vulkan: loader, shader compiler, the software device and the validation layers
   libvulkan-volk-dev libvulkan-dev glslang-tools spirv-tools mesa-vulkan-drivers
   vulkan-validationlayers

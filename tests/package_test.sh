@@ -25,6 +25,10 @@ if [ -x "$build/bin/tedit-cad-reader" ]; then
   "$bin/tedit" --quiet import "$source/tests/data/cad/box.step" --size coarse -o "$work/box.msh"
   test -s "$work/box.msh"
 fi
+if [ -x "$build/bin/tedit-med" ]; then
+  "$bin/tedit" --quiet convert "$source/tests/data/med/salome.med" -o "$work/salome.unv"
+  test -s "$work/salome.unv"
+fi
 test -s "$work/root/usr/share/man/man1/tedit.1"
 test -s "$work/root/usr/share/bash-completion/completions/tedit"
 if [ -d "$build/share/doc/tedit/html" ]; then

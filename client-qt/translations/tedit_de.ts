@@ -268,6 +268,10 @@
         <source>Boundary for viewers (glTF)</source>
         <translation>Oberfläche für Betrachter (glTF)</translation>
     </message>
+    <message>
+        <source>MED of Salome and code_aster</source>
+        <translation>MED von Salome und code_aster</translation>
+    </message>
 </context>
 <context>
     <name>handles</name>
@@ -6350,10 +6354,6 @@
         <translation>Setzen Sie es so, dass es die Oberfläche des Teils schneidet</translation>
     </message>
     <message>
-        <source>Place it so that it meets one region</source>
-        <translation>Setzen Sie es so, dass es nur ein Gebiet trifft</translation>
-    </message>
-    <message>
         <source>Place the tool elsewhere</source>
         <translation>Setzen Sie das Werkzeug an eine andere Stelle</translation>
     </message>
@@ -6528,10 +6528,6 @@
     <message>
         <source>the tool changes nothing of the part</source>
         <translation>das Werkzeug ändert nichts am Teil</translation>
-    </message>
-    <message>
-        <source>the tool crosses two regions of the part</source>
-        <translation>das Werkzeug schneidet zwei Gebiete des Teils</translation>
     </message>
     <message>
         <source>the tool does not meet the part</source>
@@ -7998,10 +7994,6 @@
         <translation>Eigenschaft %1 liegt außerhalb des Bereichs</translation>
     </message>
     <message>
-        <source>region %1</source>
-        <translation>Bereich %1</translation>
-    </message>
-    <message>
         <source>says %1 blocks, more than its bytes can hold</source>
         <translation>nennt %1 Blöcke, mehr als seine Bytes fassen</translation>
     </message>
@@ -8734,10 +8726,6 @@
         <translation>Dezimalzahlen mit Punkt schreiben, und Normalen weglassen</translation>
     </message>
     <message>
-        <source>Write it as .msh, .vtu, .inp, .bdf or .unv in the program that it comes from</source>
-        <translation>Sie in dem Programm, aus dem sie kommt, als .msh, .vtu, .inp, .bdf oder .unv schreiben</translation>
-    </message>
-    <message>
         <source>Write it as .vtu, for example with ParaView</source>
         <translation>Sie als .vtu schreiben, zum Beispiel mit ParaView</translation>
     </message>
@@ -8844,10 +8832,6 @@
     <message>
         <source>a zip archive</source>
         <translation>ein Zip-Archiv</translation>
-    </message>
-    <message>
-        <source>an HDF5 file, such as MED or CGNS</source>
-        <translation>eine HDF5-Datei, etwa MED oder CGNS</translation>
     </message>
     <message>
         <source>an Inventor scene</source>
@@ -9708,6 +9692,334 @@
     <message>
         <source>the marks of a check for printing do not fit to its %1 facets</source>
         <translation>die Marken einer Prüfung auf Druckbarkeit passen nicht zu ihren %1 Facetten</translation>
+    </message>
+    <message>
+        <source>%1 field of results is left out</source>
+        <translation>%1 Ergebnisfeld wird weggelassen</translation>
+    </message>
+    <message>
+        <source>%1 fields of results are left out</source>
+        <translation>%1 Ergebnisfelder werden weggelassen</translation>
+    </message>
+    <message>
+        <source>%1 while it was reading the file</source>
+        <translation>%1, während es die Datei las</translation>
+    </message>
+    <message>
+        <source>%1 while it was writing the file</source>
+        <translation>%1, während es die Datei schrieb</translation>
+    </message>
+    <message>
+        <source>Build TEdit where the package libmedc-dev is installed (scripts/install_deps.sh), or set TEDIT_LIBEXEC to the program&apos;s folder</source>
+        <translation>TEdit dort erstellen, wo das Paket libmedc-dev installiert ist (scripts/install_deps.sh), oder TEDIT_LIBEXEC auf den Ordner des Programms setzen</translation>
+    </message>
+    <message>
+        <source>Copy it again, not as text</source>
+        <translation>Noch einmal kopieren, nicht als Text</translation>
+    </message>
+    <message>
+        <source>Export it in cartesian coordinates</source>
+        <translation>In kartesischen Koordinaten exportieren</translation>
+    </message>
+    <message>
+        <source>Export it with three coordinates for each node</source>
+        <translation>Mit drei Koordinaten je Knoten exportieren</translation>
+    </message>
+    <message>
+        <source>Export one of them alone</source>
+        <translation>Eines davon allein exportieren</translation>
+    </message>
+    <message>
+        <source>Export the mesh as MED, .unv or .inp</source>
+        <translation>Das Netz als MED, .unv oder .inp exportieren</translation>
+    </message>
+    <message>
+        <source>Give it one, in the file that the part came from</source>
+        <translation>Geben Sie ihr eine, in der Datei, aus der das Teil stammt</translation>
+    </message>
+    <message>
+        <source>HDF5 cannot open the file: it is damaged, or no MED</source>
+        <translation>HDF5 kann die Datei nicht öffnen: Sie ist beschädigt oder keine MED-Datei</translation>
+    </message>
+    <message>
+        <source>Mesh the volume with tetrahedra and export that mesh</source>
+        <translation>Das Volumen mit Tetraedern vernetzen und dieses Netz exportieren</translation>
+    </message>
+    <message>
+        <source>Open it in Salome and export it as MED 4</source>
+        <translation>In Salome öffnen und als MED 4 exportieren</translation>
+    </message>
+    <message>
+        <source>The file may be damaged, or made to do harm. %1</source>
+        <translation>Die Datei ist vielleicht beschädigt oder soll Schaden anrichten. %1</translation>
+    </message>
+    <message>
+        <source>The file may be damaged: write or copy it again</source>
+        <translation>Die Datei ist vielleicht beschädigt: neu schreiben oder kopieren</translation>
+    </message>
+    <message>
+        <source>Try again, or write .unv</source>
+        <translation>Noch einmal versuchen oder .unv schreiben</translation>
+    </message>
+    <message>
+        <source>Write .vtu</source>
+        <translation>Als .vtu schreiben</translation>
+    </message>
+    <message>
+        <source>Write it as .msh, .vtu, .inp, .bdf, .unv or .med in the program that it comes from</source>
+        <translation>In dem Programm, aus dem sie kommt, als .msh, .vtu, .inp, .bdf, .unv oder .med schreiben</translation>
+    </message>
+    <message>
+        <source>Write or copy the file again</source>
+        <translation>Die Datei neu schreiben oder kopieren</translation>
+    </message>
+    <message>
+        <source>Write the file with fewer groups</source>
+        <translation>Die Datei mit weniger Gruppen schreiben</translation>
+    </message>
+    <message>
+        <source>Write the mesh as .msh or .unv, without fields</source>
+        <translation>Das Netz als .msh oder .unv schreiben, ohne Felder</translation>
+    </message>
+    <message>
+        <source>Write the mesh as .unv, .msh or .inp there; nothing else is lost</source>
+        <translation>Das Netz dort als .unv, .msh oder .inp schreiben; sonst ist nichts verloren</translation>
+    </message>
+    <message>
+        <source>a MED file has at most 2147483647 nodes</source>
+        <translation>eine MED-Datei hat höchstens 2147483647 Knoten</translation>
+    </message>
+    <message>
+        <source>a coordinate of node %1 is infinite</source>
+        <translation>eine Koordinate von Knoten %1 ist unendlich</translation>
+    </message>
+    <message>
+        <source>a coordinate of node %1 is no number (nan)</source>
+        <translation>eine Koordinate von Knoten %1 ist keine Zahl (nan)</translation>
+    </message>
+    <message>
+        <source>a tet has one region: groups of tets that overlap others are not kept: %1</source>
+        <translation>ein Tetraeder hat eine Region: Gruppen von Tetraedern, die andere überlappen, bleiben nicht erhalten: %1</translation>
+    </message>
+    <message>
+        <source>an HDF5 file, such as MED, whose first bytes are damaged</source>
+        <translation>eine HDF5-Datei wie MED, deren erste Bytes beschädigt sind</translation>
+    </message>
+    <message>
+        <source>dimension %1</source>
+        <translation>Dimension %1</translation>
+    </message>
+    <message>
+        <source>elements of %1 nodes</source>
+        <translation>Elemente mit %1 Knoten</translation>
+    </message>
+    <message>
+        <source>families of elements</source>
+        <translation>Familien von Elementen</translation>
+    </message>
+    <message>
+        <source>families of nodes</source>
+        <translation>Familien von Knoten</translation>
+    </message>
+    <message>
+        <source>family %1</source>
+        <translation>Familie %1</translation>
+    </message>
+    <message>
+        <source>hexagonal prisms (OCTA12)</source>
+        <translation>sechsseitige Prismen (OCTA12)</translation>
+    </message>
+    <message>
+        <source>hexahedra (HEXA20)</source>
+        <translation>Hexaeder (HEXA20)</translation>
+    </message>
+    <message>
+        <source>hexahedra (HEXA27)</source>
+        <translation>Hexaeder (HEXA27)</translation>
+    </message>
+    <message>
+        <source>hexahedra (HEXA8)</source>
+        <translation>Hexaeder (HEXA8)</translation>
+    </message>
+    <message>
+        <source>how many %1 there are</source>
+        <translation>wie viele %1 es gibt</translation>
+    </message>
+    <message>
+        <source>how many meshes there are</source>
+        <translation>wie viele Netze es gibt</translation>
+    </message>
+    <message>
+        <source>libmed cannot finish the file</source>
+        <translation>libmed kann die Datei nicht abschließen</translation>
+    </message>
+    <message>
+        <source>libmed cannot make a file in memory</source>
+        <translation>libmed kann keine Datei im Speicher anlegen</translation>
+    </message>
+    <message>
+        <source>libmed cannot read %1: the file is damaged</source>
+        <translation>libmed kann %1 nicht lesen: Die Datei ist beschädigt</translation>
+    </message>
+    <message>
+        <source>libmed cannot write %1</source>
+        <translation>libmed kann %1 nicht schreiben</translation>
+    </message>
+    <message>
+        <source>mesh &quot;%1&quot; has %2 coordinates for each node, not three</source>
+        <translation>Netz „%1“ hat %2 Koordinaten je Knoten, nicht drei</translation>
+    </message>
+    <message>
+        <source>mesh &quot;%1&quot; has no cartesian coordinates</source>
+        <translation>Netz „%1“ hat keine kartesischen Koordinaten</translation>
+    </message>
+    <message>
+        <source>mesh %1</source>
+        <translation>Netz %1</translation>
+    </message>
+    <message>
+        <source>no number (nan)</source>
+        <translation>keine Zahl (nan)</translation>
+    </message>
+    <message>
+        <source>other meshes of the file are left out: %1</source>
+        <translation>andere Netze der Datei werden weggelassen: %1</translation>
+    </message>
+    <message>
+        <source>pyramids (PYRA13)</source>
+        <translation>Pyramiden (PYRA13)</translation>
+    </message>
+    <message>
+        <source>pyramids (PYRA5)</source>
+        <translation>Pyramiden (PYRA5)</translation>
+    </message>
+    <message>
+        <source>quadrangles (QUAD4)</source>
+        <translation>Vierecke (QUAD4)</translation>
+    </message>
+    <message>
+        <source>quadrangles (QUAD8)</source>
+        <translation>Vierecke (QUAD8)</translation>
+    </message>
+    <message>
+        <source>quadrangles (QUAD9)</source>
+        <translation>Vierecke (QUAD9)</translation>
+    </message>
+    <message>
+        <source>quadratic polygons</source>
+        <translation>quadratische Polygone</translation>
+    </message>
+    <message>
+        <source>reading the file</source>
+        <translation>die Datei wird gelesen</translation>
+    </message>
+    <message>
+        <source>tedit-med found no end while it was reading the file</source>
+        <translation>tedit-med fand kein Ende, während es die Datei las</translation>
+    </message>
+    <message>
+        <source>tedit-med found no end while it was writing the file</source>
+        <translation>tedit-med fand kein Ende, während es die Datei schrieb</translation>
+    </message>
+    <message>
+        <source>tedit-med needs more memory than it may take</source>
+        <translation>tedit-med braucht mehr Speicher, als es nehmen darf</translation>
+    </message>
+    <message>
+        <source>the answer of tedit-med is no mesh</source>
+        <translation>die Antwort von tedit-med ist kein Netz</translation>
+    </message>
+    <message>
+        <source>the coordinates of the nodes</source>
+        <translation>die Koordinaten der Knoten</translation>
+    </message>
+    <message>
+        <source>the families of %1</source>
+        <translation>die Familien: %1</translation>
+    </message>
+    <message>
+        <source>the family zero</source>
+        <translation>die Familie null</translation>
+    </message>
+    <message>
+        <source>the file has %1 bytes of the %2 that its head says</source>
+        <translation>die Datei hat %1 Bytes von den %2, die ihr Kopf nennt</translation>
+    </message>
+    <message>
+        <source>the file has %1 family numbers for %2 %3</source>
+        <translation>die Datei hat %1 Familiennummern für %2 %3</translation>
+    </message>
+    <message>
+        <source>the file has %1 meshes of solids: %2</source>
+        <translation>die Datei hat %1 Netze von Körpern: %2</translation>
+    </message>
+    <message>
+        <source>the file has no mesh</source>
+        <translation>die Datei hat kein Netz</translation>
+    </message>
+    <message>
+        <source>the file has no mesh with tets: %1</source>
+        <translation>die Datei hat kein Netz mit Tetraedern: %1</translation>
+    </message>
+    <message>
+        <source>the file holds %1, %2 in all; only tetrahedra (TETRA4, TETRA10) are supported</source>
+        <translation>die Datei enthält %1, insgesamt %2; nur Tetraeder (TETRA4, TETRA10) werden unterstützt</translation>
+    </message>
+    <message>
+        <source>the file is MED %1.%2; read are 3 and 4</source>
+        <translation>die Datei ist MED %1.%2; gelesen werden 3 und 4</translation>
+    </message>
+    <message>
+        <source>the file says that it has %1 %2, but it has %3 bytes</source>
+        <translation>die Datei nennt %1 %2, aber sie hat %3 Bytes</translation>
+    </message>
+    <message>
+        <source>the file says that its lengths are in &quot;%1&quot;, which is no unit that is known</source>
+        <translation>die Datei nennt für ihre Längen „%1“, eine Einheit, die nicht bekannt ist</translation>
+    </message>
+    <message>
+        <source>the first step of mesh &quot;%1&quot;</source>
+        <translation>den ersten Schritt von Netz „%1“</translation>
+    </message>
+    <message>
+        <source>the groups hold each %1 more than %2 times on average</source>
+        <translation>die Gruppen enthalten jedes Element (%1) im Mittel öfter als %2-mal</translation>
+    </message>
+    <message>
+        <source>the head of the HDF5 file is cut off or damaged</source>
+        <translation>der Kopf der HDF5-Datei ist abgeschnitten oder beschädigt</translation>
+    </message>
+    <message>
+        <source>the mesh</source>
+        <translation>das Netz</translation>
+    </message>
+    <message>
+        <source>the mesh changes in %1 steps; the first is read</source>
+        <translation>das Netz ändert sich in %1 Schritten; der erste wird gelesen</translation>
+    </message>
+    <message>
+        <source>the nodes of %1</source>
+        <translation>die Knoten: %1</translation>
+    </message>
+    <message>
+        <source>the tool lays bare a face between two regions that has no surface id</source>
+        <translation>das Werkzeug legt eine Fläche zwischen zwei Bereichen frei, die keine Flächennummer hat</translation>
+    </message>
+    <message>
+        <source>the version of MED</source>
+        <translation>die Version von MED</translation>
+    </message>
+    <message>
+        <source>this installation reads and writes no MED files: there is no %1</source>
+        <translation>diese Installation liest und schreibt keine MED-Dateien: %1 fehlt</translation>
+    </message>
+    <message>
+        <source>this is an HDF5 file, but no MED: it has no INFOS_GENERALES</source>
+        <translation>dies ist eine HDF5-Datei, aber keine MED-Datei: Sie hat kein INFOS_GENERALES</translation>
+    </message>
+    <message>
+        <source>what the tool leaves of two regions does not fit together</source>
+        <translation>was das Werkzeug von zwei Bereichen übrig lässt, passt nicht zusammen</translation>
     </message>
 </context>
 <context>

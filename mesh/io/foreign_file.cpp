@@ -13,7 +13,7 @@ namespace {
 using namespace std::string_view_literals;
 
 constexpr const char* export_mesh =
-  "Write it as .msh, .vtu, .inp, .bdf or .unv in the program that it comes from";
+  "Write it as .msh, .vtu, .inp, .bdf, .unv or .med in the program that it comes from";
 
 struct foreign_kind {
   std::string_view begin;  ///< In capitals where it is text.
@@ -31,7 +31,9 @@ constexpr foreign_kind binary_kinds[] = {
   {"Rar!"sv, "a RAR archive", "Unpack it first"},
   {"\xD0\xCF\x11\xE0"sv, "a file of Windows programs (OLE), such as a part of SolidWorks",
    "Export the part as STEP"},
-  {"\x89HDF"sv, "an HDF5 file, such as MED or CGNS", export_mesh},
+  // With all of its first bytes it is taken for MED.
+  {"\x89HDF"sv, "an HDF5 file, such as MED, whose first bytes are damaged",
+   "Copy it again, not as text"},
   {"SQLite format 3"sv, "a database, such as a document of TEdit",
    "Open it as a document: its name ends with .tedit"},
   {"\x7F"

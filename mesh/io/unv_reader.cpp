@@ -5,6 +5,7 @@
 
 #include "mesh/formats.hpp"
 #include "mesh/io/deck_builder.hpp"
+#include "mesh/io/group_names.hpp"
 #include "mesh/io/line_cursor.hpp"
 
 namespace tedit {
@@ -356,23 +357,11 @@ private:
 
   /// What we write is called "surface 12: Bore" and "region 3: Steel".
   void add_surface(const unv_group& group, file_mesh::face_set faces) {
-    if (const auto own = own_name(group.name, "surface ")) {
-      faces.id = own->first;
-      faces.name = own->second;
+    if (const auto own = own_group(group.name, "surface"); own && own->part == 1) {
+      faces.id = own->id;
+      faces.name = own->name;
     }
     out_.mesh.face_sets.push_back(std::move(faces));
-  }
-
-  static std::optional<std::pair<std::int64_t, std::string>> own_name(std::string_view name,
-                                                                      std::string_view word) {
-    if (!name.starts_with(word))
-      return std::nullopt;
-    name.remove_prefix(word.size());
-    const auto colon = name.find(':');
-    const auto id = integer_of(name.substr(0, colon));
-    if (!id)
-      return std::nullopt;
-    return std::pair(*id, colon == name.npos ? "" : std::string(trimmed(name.substr(colon + 1))));
   }
 
   /// Triangles of no group are surfaces by their property, as Gmsh and others number them.
@@ -402,7 +391,7 @@ private:
     for (const auto& [group, tets] : volumes) {
       if (tets.size() == out_.mesh.tets.size() && sizes.size() > 1)
         continue;  // All of the part: it divides nothing.
-      const auto own = own_name(group->name, "region ");
+      const auto own = own_group(group->name, "region");
       const auto first = out_.mesh.regions[place[tets.front()]];
       const bool whole =
         tets.size() == sizes[first] && std::ranges::all_of(tets, [&](std::uint64_t number) {
@@ -412,7 +401,7 @@ private:
       if (!whole)
         for (const auto number : tets)
           out_.mesh.regions[place[number]] = id;
-      out_.mesh.region_names.push_back({id, own ? own->second : group->name});
+      out_.mesh.region_names.push_back({id, own ? own->name : group->name});
     }
   }
 

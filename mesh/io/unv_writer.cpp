@@ -8,6 +8,7 @@
 #include "mesh/io/compaction.hpp"
 #include "mesh/io/file_surfaces.hpp"
 #include "mesh/io/formats.hpp"
+#include "mesh/io/group_names.hpp"
 
 namespace tedit {
 
@@ -111,12 +112,10 @@ private:
            (surfaces_.begin()->first > 0 && surfaces_.rbegin()->first <= INT32_MAX);
   }
 
-  void begin_group(std::size_t number, std::size_t members, const std::string& word,
-                   const std::string& name) {
+  void begin_group(std::size_t number, std::size_t members, std::string text) {
     put(number);
     out_ << "         0         0         0         0         0         0";
     put(members);
-    auto text = name.empty() ? word : word + ": " + name;
     std::ranges::replace_if(
       text, [](unsigned char c) { return c < 32; }, ' ');
     out_ << '\n' << text << '\n';
@@ -139,8 +138,7 @@ private:
     std::uint64_t first = tets_.slots.size() + 1;
     for (const auto& [surface, sides] : surfaces_) {
       const auto* row = mesh_.find_surface(surface);
-      begin_group(++group, sides.size(), "surface " + std::to_string(surface),
-                  row ? row->name : "");
+      begin_group(++group, sides.size(), name_of_group("surface", surface, row ? row->name : ""));
       write_members(first, sides.size(), [](std::size_t i) { return i; });
       first += sides.size();
     }
@@ -149,7 +147,7 @@ private:
       for (std::size_t i = 0; i < tets_.slots.size(); ++i)
         if (mesh_.region_of(tets_.slots[i]) == region.id)
           members.push_back(i);
-      begin_group(++group, members.size(), "region " + std::to_string(region.id), region.name);
+      begin_group(++group, members.size(), name_of_group("region", region.id, region.name));
       write_members(1, members.size(), [&](std::size_t i) { return members[i]; });
     }
     end();

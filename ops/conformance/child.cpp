@@ -89,7 +89,7 @@ private:
   for (const char* name : {"HOME", "TMPDIR", "XDG_DATA_HOME", "XDG_CACHE_HOME", "XDG_CONFIG_HOME"})
     setenv(name, folder.c_str(), 1);
   if (programs)
-    start_programs_by(std::move(programs), limits.program);
+    start_programs_by(std::move(programs), limits.programs);
   if (chdir(folder.c_str()) == 0) {
     if (limits.confine)
       if (const auto done = limits.confine(); !done) {
@@ -177,7 +177,7 @@ child_outcome run_forked(const std::function<void(const child_reporter&)>& work,
   std::cout.flush();
   std::fflush(nullptr);  // Else the child would print it a second time.
   line_ends programs;
-  if (limits.confine && !limits.program.empty())
+  if (limits.confine && !limits.programs.empty())
     programs = make_line().value_or(line_ends{});
   const pid_t child = fork();
   if (child == 0) {
@@ -192,7 +192,7 @@ child_outcome run_forked(const std::function<void(const child_reporter&)>& work,
   }
   std::optional<program_host> host;
   if (programs.ours)
-    host.emplace(std::move(programs.ours), limits.program, child_limits{});
+    host.emplace(std::move(programs.ours), limits.programs, child_limits{});
   result.death = wait_for(child, report, limits, host ? &*host : nullptr);
   std::istringstream lines(report.content(std::size_t{64} << 20));
   for (std::string line; std::getline(lines, line);) {

@@ -18,7 +18,7 @@ struct sandbox_limits {
   cancel_token cancel;                    ///< Ends the child at once.
   /// Called in the child before the work, in its folder; an error is a death.
   std::function<expected<void>()> confine;
-  std::filesystem::path program;  ///< The one that the child may have started.
+  std::vector<std::filesystem::path> programs = {};  ///< Those that the child may have started.
 };
 
 /// The child's way to its parent.

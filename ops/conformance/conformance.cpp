@@ -87,7 +87,7 @@ conformance_row perform(const check& c, const plan& p, std::vector<std::string>&
     auto reach = reach_of_plugins({p.settings->file});
     reach.own_folder = folder.path();
     limits.confine = [reach] { return confine_to(reach); };
-    limits.program = mesher_program();
+    limits.programs = programs_of_operations();
   }
   auto child = run_forked([&](const child_reporter& reporter) { run_check(c, p, reporter); },
                           folder.path(), limits);

@@ -87,7 +87,7 @@ forked_limits limits_of(const operation_limits& given, const catalogue& plugins)
   auto reach = reach_of_plugins(files);
   reach.file_bytes = limits.memory_bytes;
   limits.confine = [reach] { return confine_to(reach); };
-  limits.program = given.program;
+  limits.programs = given.programs;
   return limits;
 }
 

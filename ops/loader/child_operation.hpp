@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <vector>
 
 #include "ops/loader/catalogue.hpp"
 
@@ -12,8 +13,8 @@ namespace tedit::ops {
 struct operation_limits {
   /// From its call to its answer; 0 for no limit. The same as a server's (limits.edit_timeout_s).
   std::chrono::milliseconds time{2 * 60 * 1000};
-  /// The one program that it may have started: that of the host's services.
-  std::filesystem::path program = {};
+  /// The programs that it may have started: those of the host's services and of files.
+  std::vector<std::filesystem::path> programs = {};
 };
 
 /// `run_operation` in a forked copy of this process, for programs whose own process must outlive

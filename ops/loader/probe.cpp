@@ -33,11 +33,6 @@ std::string content_of(const fs::path& file) {
   return in.read(content.data(), static_cast<std::streamsize>(size)) ? content : std::string();
 }
 
-fs::path probe_program() {
-  const char* folder = std::getenv("TEDIT_LIBEXEC");
-  return (folder ? fs::path(folder) : executable_folder()) / "tedit-probe";
-}
-
 /// Appears whole or not at all: other workers may ask at the same time.
 void keep(const fs::path& cache, const std::string& verdict) {
   std::error_code code;
@@ -58,7 +53,7 @@ std::string demangled(const std::string& symbol) {
 
 /// Has it loaded by another process. Where there is a cache, what came of it is kept.
 plugin_report try_out(const fs::path& file, const fs::path& cache) {
-  const auto said = run_child({probe_program().string(), file.string()}, {},
+  const auto said = run_child({helper_program("tedit-probe").string(), file.string()}, {},
                               {probe_limit, probe_memory, most_report_bytes}, {});
   if (said) {
     auto report = report_from_bytes(std::as_bytes(std::span(*said)));

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <vector>
 
 #include "base/child_process.hpp"
 #include "ops/sdk/operation.hpp"
@@ -12,6 +13,10 @@ namespace tedit::ops {
 /// The program `tedit-mesher`: in $TEDIT_LIBEXEC, else beside the running executable. What it does
 /// may end it, so it runs in a process of its own, under limits.
 [[nodiscard]] std::filesystem::path mesher_program();
+
+/// What a confined process may have started for operations, and for the files that it reads and
+/// writes: the mesher and the program for MED files. Either need not be there.
+[[nodiscard]] std::vector<std::filesystem::path> programs_of_operations();
 
 /// Of processor time, which the program watches: what is asked of it mostly takes a hundredth of
 /// this, or has no end.

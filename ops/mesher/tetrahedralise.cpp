@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <algorithm>
-#include <cstdlib>
 #include <cstring>
 #include <map>
 
 #include "base/child_process.hpp"
 #include "mesh/face_key.hpp"
+#include "mesh/formats.hpp"
 #include "mesh/predicates.hpp"
 #include "mesh/quality.hpp"
 #include "ops/mesher/mesher.hpp"
@@ -170,9 +170,11 @@ private:
 }  // namespace
 
 std::filesystem::path mesher_program() {
-  if (const char* folder = std::getenv("TEDIT_LIBEXEC"))
-    return std::filesystem::path(folder) / "tedit-mesher";
-  return executable_folder() / "tedit-mesher";
+  return helper_program("tedit-mesher");
+}
+
+std::vector<std::filesystem::path> programs_of_operations() {
+  return {mesher_program(), helper_program(formats::med::program)};
 }
 
 expected<tet_filling> tetrahedralise_surface(const closed_surface& shell, const execution& run,

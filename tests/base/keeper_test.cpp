@@ -152,7 +152,7 @@ TEST_F(Keeper, HandsOnWhatItPrepared) {
   };
   keep(options, [](const keeper_gifts& gifts) {
     bool ended = false;
-    const auto files = take_descriptors(gifts.line.get(), ended, true);
+    const auto files = take_descriptors(gifts.line.get(), ended, true).all;
     char first = 0;
     return files.size() == 1 && read(files[0].get(), &first, 1) == 1 ? 3 : 4;
   });
@@ -165,9 +165,9 @@ TEST_F(Keeper, HandsOnWhatItPrepared) {
 
 TEST_F(Keeper, StartsTheOneProgram) {
   keeper_options options;
-  options.program = "/bin/cat";
+  options.programs = {"/bin/cat"};
   keep(options, [](keeper_gifts gifts) {
-    start_programs_by(std::move(gifts.programs), "/bin/cat");
+    start_programs_by(std::move(gifts.programs), {"/bin/cat"});
     const std::string text = "to and fro";
     const auto back = run_child({"/bin/cat"}, text, {}, {});
     return back && std::string(back->begin(), back->end()) == text ? 3 : 4;

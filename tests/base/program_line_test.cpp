@@ -33,7 +33,7 @@ std::filesystem::path script(const test::scratch_folder& folder, const std::stri
 std::string said(const std::filesystem::path& program, const std::function<std::string()>& work) {
   forked_limits limits;
   limits.confine = []() -> expected<void> { return {}; };
-  limits.program = program;
+  limits.programs = {program};
   const auto heard = test::said_in_copy(limits, work);
   EXPECT_TRUE(heard.has_value()) << render(heard.error());
   return heard.value_or("");
@@ -64,6 +64,16 @@ TEST(ProgramLine, SeveralRunAtOnce) {
            return all[0] + all[1] + all[2] + all[3];
          }),
     "0123");
+}
+
+TEST(ProgramLine, EachProgramOfTheListIsStarted) {
+  forked_limits limits;
+  limits.confine = []() -> expected<void> { return {}; };
+  limits.programs = {"/bin/false", "/bin/cat"};
+  const auto heard = test::said_in_copy(
+    limits, [] { return run("/bin/cat", "one") + ", " + run("/bin/false", "two"); });
+
+  EXPECT_EQ(heard.value_or(""), "one, false gave up (exit status 1)");
 }
 
 TEST(ProgramLine, NoOtherProgramIsStarted) {
@@ -110,12 +120,12 @@ TEST(ProgramLine, DescriptorsAreHandedOver) {
   ASSERT_TRUE(send_descriptors(ends.ours.get(), {STDIN_FILENO, STDERR_FILENO}));
   bool ended = false;
 
-  EXPECT_EQ(take_descriptors(ends.theirs.get(), ended).size(), 2U);
+  EXPECT_EQ(take_descriptors(ends.theirs.get(), ended).all.size(), 2U);
   EXPECT_FALSE(ended);
-  EXPECT_TRUE(take_descriptors(ends.theirs.get(), ended).empty());
+  EXPECT_TRUE(take_descriptors(ends.theirs.get(), ended).all.empty());
   EXPECT_FALSE(ended) << "nothing more was sent";
   ends.ours.reset();
-  EXPECT_TRUE(take_descriptors(ends.theirs.get(), ended, true).empty());
+  EXPECT_TRUE(take_descriptors(ends.theirs.get(), ended, true).all.empty());
   EXPECT_TRUE(ended);
 }
 

@@ -17,9 +17,9 @@ namespace {
 
 using ::testing::HasSubstr;
 
-const std::vector<std::string> tables{"msh",  "vtu",  "inp",       "bdf",    "unv",
-                                      "stl",  "obj",  "ply",       "3mf",    "step",
-                                      "iges", "brep", "load_case", "recipe", "csv"};
+const std::vector<std::string> tables{"msh",  "vtu",       "inp",    "bdf", "unv",  "med",
+                                      "stl",  "obj",       "ply",    "3mf", "step", "iges",
+                                      "brep", "load_case", "recipe", "csv"};
 
 TEST(BrokenFiles, AreThreeHundredAtLeastAndNoneIsThereTwice) {
   std::size_t refused = 0;

@@ -24,12 +24,14 @@ TEST(Convert, WritesEachFormatThatItsHelpNames) {
 
   for (const auto one : written_formats()) {
     const std::string name(one);
+    EXPECT_THAT(help, HasSubstr("." + name + " ("));
+    if (name == "med" && !std::filesystem::exists(TEDIT_BIN "/tedit-med"))
+      continue;  // Built without libmed.
     const auto file = scratch("plate." + name);
     const auto result = run("convert --json " + plate + " -o " + file.string());
     ASSERT_EQ(result.status, 0) << result.out;
     EXPECT_EQ(result.parsed()["format"], name);
     EXPECT_GT(std::filesystem::file_size(file), 10'000U);
-    EXPECT_THAT(help, HasSubstr("." + name + " ("));
   }
   EXPECT_EQ(run("convert " + plate + " -o " + scratch("plate").string()).status, 2);
 }

@@ -11,6 +11,7 @@
 #include "mesh/io/formats.hpp"
 #include "mesh/io/import.hpp"
 #include "tests/support/parts.hpp"
+#include "tests/support/scratch.hpp"
 
 namespace tedit {
 namespace {
@@ -18,7 +19,7 @@ namespace {
 std::vector<std::string> both_ways() {
   std::vector<std::string> names;
   for (const auto& format : file_formats)
-    if (format.reads && format.writes)
+    if (format.reads && format.writes && (TEDIT_HAS_MED || format.name != "med"))
       names.emplace_back(format.name);
   return names;
 }
@@ -126,19 +127,23 @@ version_ptr two_regions(bool odd_ids) {
   return build_version(std::move(raw), 1e-3)->version;
 }
 
-TEST(FormatMatrix, ThereAreSevenFormatsBothWays) {
+TEST(FormatMatrix, ThereAreTheseFormatsBothWays) {
   EXPECT_THAT(both_ways(), ::testing::IsSupersetOf({"msh", "msh2", "vtu", "inp", "bdf", "unv"}));
+  EXPECT_EQ(std::ranges::count(both_ways(), "med"), TEDIT_HAS_MED);
 }
 
 TEST(FormatMatrix, IdsNamesRegionsAndInterfacesSurviveEveryPair) {
+  std::map<std::pair<std::string, bool>, imported_mesh> firsts;
   for (const auto& from : both_ways())
     for (const auto& to : both_ways()) {
       SCOPED_TRACE(from + " to " + to);
       const bool msh = from.starts_with("msh") || to.starts_with("msh");  // Ids have 32 bits there.
       const auto mesh = two_regions(!msh);
-      const auto first = through(from, *mesh, "mm");
-      ASSERT_TRUE(first.has_value()) << render(first.error());
-      const auto second = through(to, *first->version, first->length_unit);
+      const std::pair key(from, msh);
+      if (!firsts.contains(key))
+        firsts.emplace(key, test::value(through(from, *mesh, "mm")));
+      const auto& first = firsts.at(key);
+      const auto second = through(to, *first.version, first.length_unit);
       ASSERT_TRUE(second.has_value()) << render(second.error());
 
       expect_the_same(*mesh, *second->version, tolerance_of(from) + tolerance_of(to));

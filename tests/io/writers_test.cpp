@@ -84,6 +84,8 @@ TEST(FileFormats, EachIsWrittenByItsName) {
   const auto mesh = import_mesh(TEDIT_TEST_DATA "/bad/good_six_tets_cube.msh", "mm");
 
   for (const auto name : written_formats()) {
+    if (name == "med" && !TEDIT_HAS_MED)
+      continue;
     std::string bytes;
     EXPECT_TRUE(write_as(name, &bytes, *mesh->version, {"mm"}).has_value()) << name;
     EXPECT_GT(bytes.size(), 200U) << name;
@@ -110,6 +112,8 @@ TEST(FileFormats, OneThatIsOnlyWrittenIsNotRead) {
   const auto mesh = import_mesh(TEDIT_TEST_DATA "/bad/good_six_tets_cube.msh", "mm");
 
   for (const auto& format : file_formats) {
+    if (format.name == "med" && !TEDIT_HAS_MED)
+      continue;
     std::string bytes;
     ASSERT_TRUE(write_as(format.name, &bytes, *mesh->version, {"mm"}).has_value());
     const auto again = import_mesh_bytes(bytes, "mm");
