@@ -1424,20 +1424,12 @@
         <translation>Hebt eine Zeile Text oder ein Logo aus einer Wand heraus oder senkt sie ein.</translation>
     </message>
     <message>
-        <source>Of capitals; of a logo its longer side.</source>
-        <translation>Von Großbuchstaben; von einem Logo die längere Seite.</translation>
-    </message>
-    <message>
         <source>Around round walls</source>
         <translation>Um runde Wände</translation>
     </message>
     <message>
         <source>Letters on a selected round wall follow it; else they stand straight on it.</source>
         <translation>Buchstaben auf einer ausgewählten runden Wand folgen ihr; sonst stehen sie gerade darauf.</translation>
-    </message>
-    <message>
-        <source>A logo instead of the text: the filled shapes of an SVG.</source>
-        <translation>Ein Logo statt des Textes: die gefüllten Formen einer SVG-Datei.</translation>
     </message>
     <message>
         <source>Hollow</source>
@@ -1798,6 +1790,14 @@
     <message>
         <source>Give the path by its points, or pick an edge of the part to go along. The profile&apos;s middle stays on the path, its corners are mitred; a path that ends where it began is closed. Walls and ends are surfaces of their own.</source>
         <translation>Den Weg durch seine Punkte angeben, oder eine Kante des Teils wählen, an der er entlanggeht. Die Mitte des Profils bleibt auf dem Weg, seine Ecken sind auf Gehrung; ein Weg, der endet, wo er begann, ist geschlossen. Wände und Enden sind eigene Flächen.</translation>
+    </message>
+    <message>
+        <source>Of capitals; of a logo its longer side, but for a DXF.</source>
+        <translation>Der Großbuchstaben; bei einem Logo seine längere Seite, außer bei einer DXF.</translation>
+    </message>
+    <message>
+        <source>A logo instead of the text: the filled shapes of an SVG or the outlines of a DXF.</source>
+        <translation>Ein Logo statt des Textes: die gefüllten Formen einer SVG oder die Umrisse einer DXF.</translation>
     </message>
 </context>
 <context>
@@ -6998,10 +6998,6 @@
         <translation>%1 ist leer</translation>
     </message>
     <message>
-        <source>%1 is no SVG picture</source>
-        <translation>%1 ist kein SVG-Bild</translation>
-    </message>
-    <message>
         <source>%1 is no closed surface: %2 edges have not one triangle on each side, the first at %3 of the file</source>
         <translation>%1 ist keine geschlossene Oberfläche: %2 Kanten haben nicht auf jeder Seite ein Dreieck, die erste bei %3 der Datei</translation>
     </message>
@@ -7034,20 +7030,12 @@
         <translation>Texte und Striche in Pfade umwandeln und füllen</translation>
     </message>
     <message>
-        <source>For the profile &quot;file&quot;: the filled shapes of an SVG.</source>
-        <translation>Für das Profil „Datei“: die gefüllten Formen einer SVG-Datei.</translation>
-    </message>
-    <message>
         <source>Give a count of 2 or more</source>
         <translation>Eine Anzahl ab 2 angeben</translation>
     </message>
     <message>
         <source>Give a file that ends in .stl, .obj, .off, .ply or .msh</source>
         <translation>Eine Datei angeben, die auf .stl, .obj, .off, .ply oder .msh endet</translation>
-    </message>
-    <message>
-        <source>Give a file that ends in .svg</source>
-        <translation>Eine Datei angeben, die auf .svg endet</translation>
     </message>
     <message>
         <source>Give a smaller count</source>
@@ -7144,10 +7132,6 @@
     <message>
         <source>Take one kind at a time</source>
         <translation>Eine Art auf einmal nehmen</translation>
-    </message>
-    <message>
-        <source>The circle&apos;s and the polygon&apos;s diameter, the longer side of all others.</source>
-        <translation>Der Durchmesser von Kreis und Vieleck, die längere Seite aller anderen.</translation>
     </message>
     <message>
         <source>a closed void is</source>
@@ -9709,6 +9693,218 @@
         <source>the marks of a check for printing do not fit to its %1 facets</source>
         <translation>die Marken einer Prüfung auf Druckbarkeit passen nicht zu ihren %1 Facetten</translation>
     </message>
+    <message>
+        <source>%1 ends early: the mark of its end is not there</source>
+        <translation>%1 endet zu früh: Das Zeichen für das Ende fehlt</translation>
+    </message>
+    <message>
+        <source>%1 is a DWG drawing, which is not read</source>
+        <translation>%1 ist eine DWG-Zeichnung, die nicht gelesen wird</translation>
+    </message>
+    <message>
+        <source>%1 is a binary DXF, which is not read</source>
+        <translation>%1 ist eine binäre DXF, die nicht gelesen wird</translation>
+    </message>
+    <message>
+        <source>%1 is damaged: %2 is no code of a group</source>
+        <translation>%1 ist beschädigt: %2 ist kein Code einer Gruppe</translation>
+    </message>
+    <message>
+        <source>%1 is no SVG picture and no DXF drawing</source>
+        <translation>%1 ist kein SVG-Bild und keine DXF-Zeichnung</translation>
+    </message>
+    <message>
+        <source>%1 is no number that a drawing can have</source>
+        <translation>%1 ist keine Zahl, die eine Zeichnung haben kann</translation>
+    </message>
+    <message>
+        <source>%1 lines of the drawing are there twice and count once</source>
+        <translation>%1 Linien der Zeichnung sind doppelt da und zählen einmal</translation>
+    </message>
+    <message>
+        <source>%1 lines of the drawing meet at %2: which of them is the outline cannot be told</source>
+        <translation>%1 Linien der Zeichnung treffen sich bei %2: Welche davon der Umriss ist, lässt sich nicht sagen</translation>
+    </message>
+    <message>
+        <source>Check the scales of its blocks</source>
+        <translation>Die Maßstäbe ihrer Blöcke prüfen</translation>
+    </message>
+    <message>
+        <source>Close it, or put what is no outline on a layer that is frozen or off</source>
+        <translation>Ihn schließen, oder was kein Umriss ist auf einen gefrorenen oder ausgeschalteten Layer legen</translation>
+    </message>
+    <message>
+        <source>Convert it to a polyline</source>
+        <translation>Ihn in eine Polylinie umwandeln</translation>
+    </message>
+    <message>
+        <source>Draw each outline once, without crossings, a little apart from others</source>
+        <translation>Jeden Umriss einmal zeichnen, ohne Kreuzungen, mit etwas Abstand zu anderen</translation>
+    </message>
+    <message>
+        <source>Draw it again, or put it on a layer that is frozen or off</source>
+        <translation>Neu zeichnen, oder auf einen gefrorenen oder ausgeschalteten Layer legen</translation>
+    </message>
+    <message>
+        <source>Draw it with lines, arcs, polylines, circles, ellipses or splines on layers that are shown</source>
+        <translation>Mit Linien, Bögen, Polylinien, Kreisen, Ellipsen oder Splines auf sichtbaren Layern zeichnen</translation>
+    </message>
+    <message>
+        <source>Explode the blocks</source>
+        <translation>Die Blöcke auflösen</translation>
+    </message>
+    <message>
+        <source>Explode the blocks, or export it again</source>
+        <translation>Die Blöcke auflösen, oder neu exportieren</translation>
+    </message>
+    <message>
+        <source>Export it again</source>
+        <translation>Neu exportieren</translation>
+    </message>
+    <message>
+        <source>Export it again as an ASCII DXF</source>
+        <translation>Neu als ASCII-DXF exportieren</translation>
+    </message>
+    <message>
+        <source>Export it again: numbers have a decimal point and are below 1e9</source>
+        <translation>Neu exportieren: Zahlen haben einen Dezimalpunkt und liegen unter 1e9</translation>
+    </message>
+    <message>
+        <source>For the profile &quot;file&quot;: the filled shapes of an SVG or the outlines of a DXF.</source>
+        <translation>Für das Profil &quot;file&quot;: die gefüllten Formen einer SVG oder die Umrisse einer DXF.</translation>
+    </message>
+    <message>
+        <source>Give a file that ends in .svg or .dxf</source>
+        <translation>Eine Datei angeben, die auf .svg oder .dxf endet</translation>
+    </message>
+    <message>
+        <source>Give the scale that its unit lacks: scale=0.001</source>
+        <translation>Den Maßstab angeben, der ihrer Einheit fehlt: scale=0.001</translation>
+    </message>
+    <message>
+        <source>Leave it out: put it on a layer that is frozen or off</source>
+        <translation>Ihn weglassen: auf einen gefrorenen oder ausgeschalteten Layer legen</translation>
+    </message>
+    <message>
+        <source>Leave out what is no outline: put it on a layer that is frozen or off</source>
+        <translation>Weglassen, was kein Umriss ist: auf einen gefrorenen oder ausgeschalteten Layer legen</translation>
+    </message>
+    <message>
+        <source>Of a DXF, which is as large as it is drawn: 25.4 for one in inches that does not say so.</source>
+        <translation>Einer DXF, die so groß ist, wie sie gezeichnet ist: 25.4 für eine in Zoll, die das nicht sagt.</translation>
+    </message>
+    <message>
+        <source>Put what is no outline on a layer that is frozen or off</source>
+        <translation>Was kein Umriss ist, auf einen gefrorenen oder ausgeschalteten Layer legen</translation>
+    </message>
+    <message>
+        <source>Save it as an ASCII DXF</source>
+        <translation>Als ASCII-DXF speichern</translation>
+    </message>
+    <message>
+        <source>Set it to millimetres or inches and export it again</source>
+        <translation>Auf Millimeter oder Zoll setzen und neu exportieren</translation>
+    </message>
+    <message>
+        <source>The circle&apos;s and the polygon&apos;s diameter, the longer side of all others but a DXF.</source>
+        <translation>Der Durchmesser von Kreis und Vieleck, die längere Seite aller anderen außer einer DXF.</translation>
+    </message>
+    <message>
+        <source>US survey feet</source>
+        <translation>US-Vermessungsfuß</translation>
+    </message>
+    <message>
+        <source>a %1 of the drawing %2</source>
+        <translation>%1 in der Zeichnung: %2</translation>
+    </message>
+    <message>
+        <source>a SPLINE of the drawing has no control points</source>
+        <translation>ein SPLINE der Zeichnung hat keine Kontrollpunkte</translation>
+    </message>
+    <message>
+        <source>an outline of the drawing encloses nothing at %1</source>
+        <translation>ein Umriss der Zeichnung bei %1 umschließt nichts</translation>
+    </message>
+    <message>
+        <source>an outline of the drawing is open: it ends at %1 and at %2, %3 apart</source>
+        <translation>ein Umriss der Zeichnung ist offen: Er endet bei %1 und bei %2, Abstand %3</translation>
+    </message>
+    <message>
+        <source>blocks of the drawing are inserted in each other without end</source>
+        <translation>Blöcke der Zeichnung sind endlos ineinander eingefügt</translation>
+    </message>
+    <message>
+        <source>does not lie in the plane of the drawing</source>
+        <translation>liegt nicht in der Ebene der Zeichnung</translation>
+    </message>
+    <message>
+        <source>has %1 knots for %2 control points and degree %3</source>
+        <translation>hat %1 Knoten für %2 Kontrollpunkte und Grad %3</translation>
+    </message>
+    <message>
+        <source>has knots in no order</source>
+        <translation>hat ungeordnete Knoten</translation>
+    </message>
+    <message>
+        <source>has no radius</source>
+        <translation>hat keinen Radius</translation>
+    </message>
+    <message>
+        <source>has no width</source>
+        <translation>hat keine Breite</translation>
+    </message>
+    <message>
+        <source>has not one weight for each control point</source>
+        <translation>hat nicht für jeden Kontrollpunkt ein Gewicht</translation>
+    </message>
+    <message>
+        <source>has weights that make no curve</source>
+        <translation>hat Gewichte, die keine Kurve ergeben</translation>
+    </message>
+    <message>
+        <source>is a surface</source>
+        <translation>ist eine Fläche</translation>
+    </message>
+    <message>
+        <source>left out of the drawing: %1</source>
+        <translation>in der Zeichnung ausgelassen: %1</translation>
+    </message>
+    <message>
+        <source>outlines of the drawing cross or touch at %1</source>
+        <translation>Umrisse der Zeichnung kreuzen oder berühren sich bei %1</translation>
+    </message>
+    <message>
+        <source>side %1</source>
+        <translation>Seite %1</translation>
+    </message>
+    <message>
+        <source>the drawing does not say its unit: it is taken for millimetres</source>
+        <translation>die Zeichnung nennt ihre Einheit nicht: Es werden Millimeter angenommen</translation>
+    </message>
+    <message>
+        <source>the drawing has more than 20,000 lines and arcs</source>
+        <translation>die Zeichnung hat mehr als 20.000 Linien und Bögen</translation>
+    </message>
+    <message>
+        <source>the drawing has no closed outline</source>
+        <translation>die Zeichnung hat keinen geschlossenen Umriss</translation>
+    </message>
+    <message>
+        <source>the drawing inserts a block that it does not have</source>
+        <translation>die Zeichnung fügt einen Block ein, den sie nicht hat</translation>
+    </message>
+    <message>
+        <source>the drawing is %1 m long; a profile has 0.000001 to 10 m</source>
+        <translation>die Zeichnung ist %1 m lang; ein Profil hat 0,000001 bis 10 m</translation>
+    </message>
+    <message>
+        <source>the drawing reaches further than any part</source>
+        <translation>die Zeichnung reicht weiter als jedes Teil</translation>
+    </message>
+    <message>
+        <source>the drawing&apos;s unit, $INSUNITS %1, is none that parts are measured in</source>
+        <translation>die Einheit der Zeichnung, $INSUNITS %1, ist keine, in der Teile gemessen werden</translation>
+    </message>
 </context>
 <context>
     <name>server_lists</name>
@@ -10727,6 +10923,10 @@ TEdit ist freie Software unter der GNU Affero General Public License, Version 3 
     <message>
         <source>no file</source>
         <translation>keine Datei</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
     </message>
 </context>
 <context>

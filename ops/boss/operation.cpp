@@ -13,7 +13,7 @@ public:
     d.id = "boss";
     d.name = "Boss";
     d.summary = "Adds a round, rectangular, slotted or polygonal boss to a wall.";
-    d.version = "1.2.0";
+    d.version = "1.3.0";
     d.selection.help = "The wall to put it on, or none where a place is given.";
     d.selection.minimum = 0;
     d.selection.maximum = 1;
@@ -48,4 +48,4 @@ public:
 
 }  // namespace
 
-TEDIT_PLUGIN("boss", "1.2.0", boss_operation)
+TEDIT_PLUGIN("boss", "1.3.0", boss_operation)

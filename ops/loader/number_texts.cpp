@@ -285,7 +285,7 @@ tl::unexpected<error> wrong_value(const parameter_description& p, const std::str
     remedy = (list ? "Each takes " : "It takes ") + number_text(range.least) + " to " +
              number_text(range.most) + " " + range.unit;
   }
-  if (!p.choices.empty()) {
+  if (p.type == parameter_type::choice) {
     remedy = "Choose one of";
     for (const auto& choice : p.choices)
       remedy += " " + choice;

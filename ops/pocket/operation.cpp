@@ -13,7 +13,7 @@ public:
     d.id = "pocket";
     d.name = "Pocket";
     d.summary = "Cuts a round, rectangular, slotted or polygonal pocket into a wall.";
-    d.version = "1.2.0";
+    d.version = "1.3.0";
     d.selection.help = "The wall to cut into, or none where a place is given.";
     d.selection.minimum = 0;
     d.selection.maximum = 1;
@@ -48,4 +48,4 @@ public:
 
 }  // namespace
 
-TEDIT_PLUGIN("pocket", "1.2.0", pocket_operation)
+TEDIT_PLUGIN("pocket", "1.3.0", pocket_operation)

@@ -19,7 +19,9 @@ expected<edit_result> cut_pocket(const version_ptr& mesh, const selection& picke
     extrude(what->place, what->shape, span.from, span.to, what->size, "pocket", *ctx.host);
   if (!tool)
     return fail(tool.error());
-  return apply_tool(mesh, *tool, boolean_mode::cut, what->where.size, as_set(picked), ctx);
+  return with_notices(
+    apply_tool(mesh, *tool, boolean_mode::cut, what->where.size, as_set(picked), ctx),
+    what->notices);
 }
 
 }  // namespace tedit::ops

@@ -55,7 +55,7 @@ struct parameter_description {
   /// has.
   std::optional<double> min;
   std::optional<double> max;
-  std::vector<std::string> choices;  ///< For choice.
+  std::vector<std::string> choices;  ///< For choice; of a file the endings to look for: "svg".
   parameter_value default_value = false;
   /// Id of a number that this one stands in for: where a request gives this one and not that one,
   /// that one is 0 instead of its default.
