@@ -1020,10 +1020,6 @@
         <translation>Des ganzen Kegels.</translation>
     </message>
     <message>
-        <source>Select the wall and give the place, or take its middle. The hole gets surfaces of its own, so loads can be put on them. Holes may cut other holes, edges and fillets.</source>
-        <translation>Wählen Sie die Fläche und geben Sie den Ort an, oder nehmen Sie ihre Mitte. Das Loch bekommt eigene Flächen, auf die Lasten gesetzt werden können. Löcher dürfen andere Löcher, Kanten und Rundungen schneiden.</translation>
-    </message>
-    <message>
         <source>sans</source>
         <translation>serifenlos</translation>
     </message>
@@ -1798,6 +1794,18 @@
     <message>
         <source>A logo instead of the text: the filled shapes of an SVG or the outlines of a DXF.</source>
         <translation>Ein Logo statt des Textes: die gefüllten Formen einer SVG oder die Umrisse einer DXF.</translation>
+    </message>
+    <message>
+        <source>Two or more at once, all alike: the middle of each profile.</source>
+        <translation>Zwei oder mehr auf einmal, alle gleich: die Mitte jedes Profils.</translation>
+    </message>
+    <message>
+        <source>Two or more at once, all alike: where each hole&apos;s axis enters a wall.</source>
+        <translation>Zwei oder mehr auf einmal, alle gleich: wo die Achse jedes Lochs in eine Wand eintritt.</translation>
+    </message>
+    <message>
+        <source>Select the wall and give the place, or take its middle. The hole gets surfaces of its own, so loads can be put on them. Holes may cut other holes, edges and fillets. With more places all holes are made, or none.</source>
+        <translation>Die Wand wählen und den Ort angeben, oder ihre Mitte nehmen. Das Loch bekommt eigene Flächen, auf die Lasten gelegt werden können. Löcher dürfen andere Löcher, Kanten und Ausrundungen schneiden. Bei mehreren Orten werden alle Löcher gemacht oder keins.</translation>
     </message>
 </context>
 <context>
@@ -9904,6 +9912,34 @@
     <message>
         <source>the drawing&apos;s unit, $INSUNITS %1, is none that parts are measured in</source>
         <translation>die Einheit der Zeichnung, $INSUNITS %1, ist keine, in der Teile gemessen werden</translation>
+    </message>
+    <message>
+        <source>Give each place once; the one of its own counts as the first</source>
+        <translation>Jeden Ort einmal angeben; der eigene zählt als der erste</translation>
+    </message>
+    <message>
+        <source>Leave the places out, or take another profile</source>
+        <translation>Die Orte weglassen, oder ein anderes Profil nehmen</translation>
+    </message>
+    <message>
+        <source>More places</source>
+        <translation>Weitere Orte</translation>
+    </message>
+    <message>
+        <source>an outline by its points is in one place, and more are given</source>
+        <translation>ein Umriss aus Punkten liegt an einem Ort, und es sind mehrere angegeben</translation>
+    </message>
+    <message>
+        <source>one of the places is beside the part</source>
+        <translation>einer der Orte liegt neben dem Teil</translation>
+    </message>
+    <message>
+        <source>place %1 of %2 (%3, %4, %5 mm): %6</source>
+        <translation>Ort %1 von %2 (%3, %4, %5 mm): %6</translation>
+    </message>
+    <message>
+        <source>the places %1 and %2 are the same</source>
+        <translation>die Orte %1 und %2 sind derselbe</translation>
     </message>
 </context>
 <context>

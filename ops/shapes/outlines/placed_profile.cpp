@@ -155,4 +155,33 @@ expected<placed_profile> placed_profile_of(const mesh_version& mesh, const selec
   return placed_profile{*where, profile_frame(*where, values), std::move(*shape), size, {}};
 }
 
+expected<edit_result> apply_profile(const version_ptr& mesh, const selection& picked,
+                                    const parameters& values, const profile_tool& how,
+                                    context& ctx) {
+  const bool places = values.contains("places") && !points_of(values, "places").empty();
+  if (places && std::get<std::string>(values.at("profile")) == "points")
+    return fail(ec::invalid_parameter,
+                "an outline by its points is in one place, and more are given",
+                "Leave the places out, or take another profile");
+  std::vector<std::string> notices;
+  auto tools = tools_at_places(values, [&](const parameters& here) -> expected<placed_tool> {
+    const auto what = placed_profile_of(*mesh, picked, here, how.longest);
+    if (!what)
+      return fail(what.error());
+    const double radius = radius_of(what->shape);
+    const auto span = how.span(*what, radius);
+    if (auto ok = check_fineness(what->where, what->size, span.to - span.from + 2 * radius); !ok)
+      return fail(ok.error());
+    auto tool =
+      extrude(what->place, what->shape, span.from, span.to, what->size, how.name, *ctx.host);
+    if (!tool)
+      return fail(tool.error());
+    notices = what->notices;
+    return placed_tool{std::move(*tool), what->where.at, what->where.size};
+  });
+  if (!tools)
+    return fail(tools.error());
+  return with_notices(apply_tools(mesh, std::move(*tools), how.mode, as_set(picked), ctx), notices);
+}
+
 }  // namespace tedit::ops
