@@ -245,22 +245,33 @@ step_or_reason combining(const edit_made& edit) {
 }
 
 step_or_reason hollowing(const edit_made& edit) {
+  if (edit.before.regions().size() > 1)
+    return because("one region of several became hollow");
   const double thickness = edit.number("thickness");
   const double r = edit.number("drain_diameter") / 2;
   auto step = on_surfaces(step_kind::hollow, edit, thickness);
   if (r <= 0)
     return step;
   step.surfaces.clear();
+  const auto drain_at = [&](const ops::wall_middle& wall) {
+    const double above = ops::clearance(edit.before, wall.point, wall.normal, r);
+    auto& drain = step.more.emplace_back();
+    place_tool(drain, ops::make_frame(wall.point, wall.normal));
+    const double top = mm_of_metre * (above + 0.5 * thickness);
+    const double bottom = -1.5 * mm_of_metre * thickness;
+    drain.section = {{0, top}, {mm_of_metre * r, top}, {mm_of_metre * r, bottom}, {0, bottom}};
+  };
   for (const auto wall : ops::as_set({edit.wanted.surfaces})) {
     const auto middle = ops::middle_of(edit.before, wall);
     if (!middle)
       return because(middle.error().message);
-    const double above = ops::clearance(edit.before, middle->point, middle->normal, r);
-    auto& drain = step.more.emplace_back();
-    place_tool(drain, ops::make_frame(middle->point, middle->normal));
-    const double top = mm_of_metre * (above + 0.5 * thickness);
-    const double bottom = -1.5 * mm_of_metre * thickness;
-    drain.section = {{0, top}, {mm_of_metre * r, top}, {mm_of_metre * r, bottom}, {0, bottom}};
+    drain_at(*middle);
+  }
+  for (const auto& place : ops::points_of(edit.values, "drain_points")) {
+    const auto wall = ops::wall_near(edit.before, place, thickness / 2);
+    if (!wall)
+      return because(wall.error().message);
+    drain_at(*wall);
   }
   return step;
 }

@@ -1796,16 +1796,32 @@
         <translation>Ein Logo statt des Textes: die gefüllten Formen einer SVG oder die Umrisse einer DXF.</translation>
     </message>
     <message>
-        <source>Two or more at once, all alike: the middle of each profile.</source>
-        <translation>Zwei oder mehr auf einmal, alle gleich: die Mitte jedes Profils.</translation>
-    </message>
-    <message>
-        <source>Two or more at once, all alike: where each hole&apos;s axis enters a wall.</source>
-        <translation>Zwei oder mehr auf einmal, alle gleich: wo die Achse jedes Lochs in eine Wand eintritt.</translation>
-    </message>
-    <message>
         <source>Select the wall and give the place, or take its middle. The hole gets surfaces of its own, so loads can be put on them. Holes may cut other holes, edges and fillets. With more places all holes are made, or none.</source>
         <translation>Die Wand wählen und den Ort angeben, oder ihre Mitte nehmen. Das Loch bekommt eigene Flächen, auf die Lasten gelegt werden können. Löcher dürfen andere Löcher, Kanten und Ausrundungen schneiden. Bei mehreren Orten werden alle Löcher gemacht oder keins.</translation>
+    </message>
+    <message>
+        <source>Several at once, all alike: the middle of each profile.</source>
+        <translation>Mehrere auf einmal, alle gleich: die Mitte jedes Profils.</translation>
+    </message>
+    <message>
+        <source>Several at once, all alike: where each hole&apos;s axis enters a wall.</source>
+        <translation>Mehrere auf einmal, alle gleich: wo die Achse jedes Lochs in eine Wand eintritt.</translation>
+    </message>
+    <message>
+        <source>Places for drains</source>
+        <translation>Orte für Abläufe</translation>
+    </message>
+    <message>
+        <source>Where more drain holes go, across the wall that is there.</source>
+        <translation>Wo weitere Ablauflöcher hinkommen, quer durch die Wand dort.</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>Of a part with several regions the one that becomes hollow, by name or number. Empty: the one of the picked walls.</source>
+        <translation>Bei einem Teil mit mehreren Bereichen der, der hohl wird, mit Name oder Nummer. Leer: der der gewählten Wände.</translation>
     </message>
 </context>
 <context>
@@ -7078,10 +7094,6 @@
         <translation>Eine Wand eines Lochs auswählen oder eine Seite eines Nockens, der frei steht</translation>
     </message>
     <message>
-        <source>Pick another wall for the drain</source>
-        <translation>Eine andere Wand für den Ablauf auswählen</translation>
-    </message>
-    <message>
         <source>Pick the wall of a round bore or pin; erode and thicken move walls of any form</source>
         <translation>Die Wand einer runden Bohrung oder eines Zapfens auswählen; erode und thicken bewegen Wände jeder Form</translation>
     </message>
@@ -7152,10 +7164,6 @@
     <message>
         <source>a pattern of one is what is there already</source>
         <translation>ein Muster aus einem ist, was schon da ist</translation>
-    </message>
-    <message>
-        <source>behind the middle of surface %1 lies no hollow</source>
-        <translation>hinter der Mitte von Fläche %1 liegt kein Hohlraum</translation>
     </message>
     <message>
         <source>change of the diameter</source>
@@ -9940,6 +9948,62 @@
     <message>
         <source>the places %1 and %2 are the same</source>
         <translation>die Orte %1 und %2 sind derselbe</translation>
+    </message>
+    <message>
+        <source>Give a place on a wall</source>
+        <translation>Einen Ort auf einer Wand angeben</translation>
+    </message>
+    <message>
+        <source>Give it: drain_diameter_mm=4</source>
+        <translation>Ihn angeben: drain_diameter_mm=4</translation>
+    </message>
+    <message>
+        <source>Name one: region=NAME; it has %1</source>
+        <translation>Einen nennen: region=NAME; es hat %1</translation>
+    </message>
+    <message>
+        <source>Pick walls of one region, or name it: region=NAME</source>
+        <translation>Wände eines Bereichs wählen, oder ihn nennen: region=NAME</translation>
+    </message>
+    <message>
+        <source>Take another wall or place for the drain</source>
+        <translation>Eine andere Wand oder einen anderen Ort für den Ablauf nehmen</translation>
+    </message>
+    <message>
+        <source>behind %1 lies no hollow</source>
+        <translation>hinter %1 liegt kein Hohlraum</translation>
+    </message>
+    <message>
+        <source>drain %1 (%2, %3, %4 mm): %5</source>
+        <translation>Ablauf %1 (%2, %3, %4 mm): %5</translation>
+    </message>
+    <message>
+        <source>places for drain holes are given, and no diameter</source>
+        <translation>Orte für Ablauflöcher sind angegeben, aber kein Durchmesser</translation>
+    </message>
+    <message>
+        <source>surface %1 is no wall of one region that is meant</source>
+        <translation>Fläche %1 ist keine Wand des einen gemeinten Bereichs</translation>
+    </message>
+    <message>
+        <source>the middle of surface %1</source>
+        <translation>der Mitte von Fläche %1</translation>
+    </message>
+    <message>
+        <source>the part has %1 regions, and which is to be hollow is not said</source>
+        <translation>das Teil hat %1 Bereiche, und welcher hohl werden soll, ist nicht gesagt</translation>
+    </message>
+    <message>
+        <source>the part has no region &quot;%1&quot;</source>
+        <translation>das Teil hat keinen Bereich &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>the place</source>
+        <translation>dem Ort</translation>
+    </message>
+    <message>
+        <source>there is no wall within %1 mm of it</source>
+        <translation>innerhalb von %1 mm davon ist keine Wand</translation>
     </message>
 </context>
 <context>

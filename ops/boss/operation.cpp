@@ -32,7 +32,7 @@ public:
     d.parameters.push_back(ops::direction_parameter(
       "direction", "Outward", "The direction that it grows in. Empty: across the wall."));
     d.parameters.push_back(
-      ops::places_parameter("Two or more at once, all alike: the middle of each profile."));
+      ops::places_parameter("Several at once, all alike: the middle of each profile."));
     d.icon = ops::line_icon(R"(<path d="M3 20 V14 H8 V6 H16 V14 H21 V20 Z"/>)");
     d.guide =
       "Select the wall and give the place, or take its middle. On curved walls the boss goes down "

@@ -50,8 +50,7 @@ public:
       length("countersink_diameter", "Countersink", "Its diameter at the wall; 0: none.", 0, 0),
       angle("countersink_angle", "Countersink angle", "Of the whole cone.", 0.17,
             1.5707963267948966),
-      ops::places_parameter(
-        "Two or more at once, all alike: where each hole's axis enters a wall."),
+      ops::places_parameter("Several at once, all alike: where each hole's axis enters a wall."),
     };
     d.icon = ops::line_icon(
       R"(<path d="M4 10 H9 V19 H15 V10 H20"/><path d="M12 3 V14" stroke-dasharray="2 2.4"/>)");

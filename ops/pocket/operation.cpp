@@ -32,7 +32,7 @@ public:
     d.parameters.push_back(ops::direction_parameter(
       "direction", "Outward", "The direction that it is cut against. Empty: across the wall."));
     d.parameters.push_back(
-      ops::places_parameter("Two or more at once, all alike: the middle of each profile."));
+      ops::places_parameter("Several at once, all alike: the middle of each profile."));
     d.icon = ops::line_icon(R"(<path d="M3 8 H8 V17 H16 V8 H21"/><path d="M3 8 V20 H21 V8"/>)");
     d.guide =
       "Select the wall and give the place, or take its middle. The floor and the walls of the "

@@ -142,7 +142,7 @@ private:
 }  // namespace
 
 parameter_description places_parameter(const std::string& help) {
-  return {"places", "More places", help, parameter_type::polyline, "m", 2.0, most_places,
+  return {"places", "More places", help, parameter_type::polyline, "m", 1.0, most_places,
           {},       std::string()};
 }
 
