@@ -107,9 +107,9 @@ bool save_step(const cad_step& step, const std::filesystem::path& folder) {
   json motions = json::array();
   for (const auto& m : step.motions)
     motions.push_back({{"columns", m.columns}, {"shift", m.shift}});
-  json drains = json::array();
-  for (const auto& drain : step.drains)
-    drains.push_back(json_of(drain));
+  json more = json::array();
+  for (const auto& tool : step.more)
+    more.push_back(json_of(tool));
   return write(folder / step_file, {{"kind", kinds[static_cast<std::size_t>(step.kind)]},
                                     {"surfaces", step.surfaces},
                                     {"distance", step.distance_mm},
@@ -119,7 +119,7 @@ bool save_step(const cad_step& step, const std::filesystem::path& folder) {
                                     {"leaves", step.leaves},
                                     {"is_hole", step.is_hole},
                                     {"edge", step.edge_mm},
-                                    {"drains", std::move(drains)},
+                                    {"more", std::move(more)},
                                     {"volume_change", step.volume_change_mm3},
                                     {"size", step.size_mm},
                                     {"bodies", step.bodies}});
@@ -142,8 +142,8 @@ expected<cad_step> load_step(const std::filesystem::path& folder) {
     from.at("leaves").get_to(step.leaves);
     from.at("is_hole").get_to(step.is_hole);
     from.at("edge").get_to(step.edge_mm);
-    for (const auto& drain : from.at("drains"))
-      step.drains.push_back(tool_from(drain));
+    for (const auto& tool : from.at("more"))
+      step.more.push_back(tool_from(tool));
     from.at("volume_change").get_to(step.volume_change_mm3);
     from.at("size").get_to(step.size_mm);
     from.at("bodies").get_to(step.bodies);

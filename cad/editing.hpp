@@ -70,7 +70,7 @@ struct cad_step {
   bool leaves = false;               ///< Of `copy`: the one that was there goes.
   bool is_hole = false;              ///< Of `copy`: else a boss.
   double edge_mm = 0;                ///< Of `copy`: the mesh's mean edge there.
-  std::vector<exact_tool> drains;    ///< Of `hollow`: taken off, too.
+  std::vector<exact_tool> more;      ///< Of `cut` and `add`: as `tool`. Of `hollow`: taken off.
   // What the edit made of the mesh, to compare with.
   double volume_change_mm3 = 0;
   double size_mm = 0;      ///< The part's: the diagonal of its box.

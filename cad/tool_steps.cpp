@@ -11,6 +11,7 @@
 #include "ops/sweep/sweep_along.hpp"
 #include "ops/tools/hole.hpp"
 #include "ops/tools/profiles.hpp"
+#include "ops/tools/several_places.hpp"
 
 namespace tedit::cad {
 
@@ -43,21 +44,44 @@ std::vector<std::vector<outline_corner>> straight_outlines(const std::vector<ops
 
 }  // namespace
 
+namespace {
+
+/// A step with a tool for each place of the edit, as `make` makes it of the values there.
+template <class Make>
+step_or_reason at_places(const edit_made& edit, step_kind kind, const Make& make) {
+  const auto places = ops::at_each_place(edit.values);
+  if (!places)
+    return because(places.error().message);
+  cad_step step;
+  step.kind = kind;
+  for (std::size_t i = 0; i < places->size(); ++i) {
+    expected<exact_tool> tool = make((*places)[i]);
+    if (!tool)
+      return because(tool.error().message);
+    (i == 0 ? step.tool : step.more.emplace_back()) = std::move(*tool);
+  }
+  return step;
+}
+
+}  // namespace
+
 step_or_reason drilling(const edit_made& edit) {
   const auto shape = ops::drill_shape_from(edit.values);
-  const auto where = ops::placement_of(edit.before, {edit.wanted.surfaces}, edit.values,
-                                       "direction", 2 * shape.diameter);
-  if (!where)
-    return because(where.error().message);
-  const auto hole = ops::drilled_hole_of(edit.before, *where, shape);
-  if (!hole)
-    return because(hole.error().message);
-  cad_step step;
-  step.kind = step_kind::cut;
-  place_tool(step.tool, hole->place);
-  for (const auto& point : hole->section)
-    step.tool.section.push_back({mm_of_metre * point.radius, mm_of_metre * point.height});
-  return step;
+  const auto make = [&](const ops::parameters& here) -> expected<exact_tool> {
+    const auto where =
+      ops::placement_of(edit.before, {edit.wanted.surfaces}, here, "direction", 2 * shape.diameter);
+    if (!where)
+      return fail(where.error());
+    const auto hole = ops::drilled_hole_of(edit.before, *where, shape);
+    if (!hole)
+      return fail(hole.error());
+    exact_tool tool;
+    place_tool(tool, hole->place);
+    for (const auto& point : hole->section)
+      tool.section.push_back({mm_of_metre * point.radius, mm_of_metre * point.height});
+    return tool;
+  };
+  return at_places(edit, step_kind::cut, make);
 }
 
 namespace {
@@ -88,21 +112,23 @@ std::vector<std::vector<outline_corner>> outlines_of(const edit_made& edit,
 template <step_kind Kind>
 step_or_reason extrusion(const edit_made& edit) {
   const double height = edit.number("height");
-  const auto what = ops::placed_profile_of(edit.before, {edit.wanted.surfaces}, edit.values,
-                                           Kind == step_kind::add ? 3 * height : largest_number);
-  if (!what)
-    return because(what.error().message);
-  const double radius = ops::radius_of(what->shape);
-  const auto span = Kind == step_kind::add
-                      ? ops::boss_span(edit.before, what->where, height, radius)
-                      : ops::pocket_span(edit.before, what->where, height, radius);
-  cad_step step;
-  step.kind = Kind;
-  place_tool(step.tool, what->place);
-  step.tool.outlines = outlines_of(edit, what->shape);
-  step.tool.from = mm_of_metre * span.from;
-  step.tool.to = mm_of_metre * span.to;
-  return step;
+  const auto make = [&](const ops::parameters& here) -> expected<exact_tool> {
+    const auto what = ops::placed_profile_of(edit.before, {edit.wanted.surfaces}, here,
+                                             Kind == step_kind::add ? 3 * height : largest_number);
+    if (!what)
+      return fail(what.error());
+    const double radius = ops::radius_of(what->shape);
+    const auto span = Kind == step_kind::add
+                        ? ops::boss_span(edit.before, what->where, height, radius)
+                        : ops::pocket_span(edit.before, what->where, height, radius);
+    exact_tool tool;
+    place_tool(tool, what->place);
+    tool.outlines = outlines_of(edit, what->shape);
+    tool.from = mm_of_metre * span.from;
+    tool.to = mm_of_metre * span.to;
+    return tool;
+  };
+  return at_places(edit, Kind, make);
 }
 
 }  // namespace
@@ -219,22 +245,33 @@ step_or_reason combining(const edit_made& edit) {
 }
 
 step_or_reason hollowing(const edit_made& edit) {
+  if (edit.before.regions().size() > 1)
+    return because("one region of several became hollow");
   const double thickness = edit.number("thickness");
   const double r = edit.number("drain_diameter") / 2;
   auto step = on_surfaces(step_kind::hollow, edit, thickness);
   if (r <= 0)
     return step;
   step.surfaces.clear();
+  const auto drain_at = [&](const ops::wall_middle& wall) {
+    const double above = ops::clearance(edit.before, wall.point, wall.normal, r);
+    auto& drain = step.more.emplace_back();
+    place_tool(drain, ops::make_frame(wall.point, wall.normal));
+    const double top = mm_of_metre * (above + 0.5 * thickness);
+    const double bottom = -1.5 * mm_of_metre * thickness;
+    drain.section = {{0, top}, {mm_of_metre * r, top}, {mm_of_metre * r, bottom}, {0, bottom}};
+  };
   for (const auto wall : ops::as_set({edit.wanted.surfaces})) {
     const auto middle = ops::middle_of(edit.before, wall);
     if (!middle)
       return because(middle.error().message);
-    const double above = ops::clearance(edit.before, middle->point, middle->normal, r);
-    auto& drain = step.drains.emplace_back();
-    place_tool(drain, ops::make_frame(middle->point, middle->normal));
-    const double top = mm_of_metre * (above + 0.5 * thickness);
-    const double bottom = -1.5 * mm_of_metre * thickness;
-    drain.section = {{0, top}, {mm_of_metre * r, top}, {mm_of_metre * r, bottom}, {0, bottom}};
+    drain_at(*middle);
+  }
+  for (const auto& place : ops::points_of(edit.values, "drain_points")) {
+    const auto wall = ops::wall_near(edit.before, place, thickness / 2);
+    if (!wall)
+      return because(wall.error().message);
+    drain_at(*wall);
   }
   return step;
 }

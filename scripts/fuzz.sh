@@ -7,7 +7,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-all=(basp handshake certs config users wire gateway recipe surface load_case msh)
+all=(basp handshake certs config users wire gateway recipe surface dxf load_case msh)
 usage() {
   echo "usage: scripts/fuzz.sh SECONDS [TARGET...]; targets: ${all[*]}" >&2
   exit 2

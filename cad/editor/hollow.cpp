@@ -44,7 +44,7 @@ TopoDS_Shape closed_shell(const part_model& part, const cad_step& step) {
       return {};
     tools.insert(tools.end(), insides.begin(), insides.end());
   }
-  for (const auto& drain : step.drains)
+  for (const auto& drain : step.more)
     for (const auto& solid : solids_of_tool(drain))
       tools.push_back(solid);
   return combined(part, tools, body_operation::cut);

@@ -170,7 +170,10 @@ std::vector<way> ways_with_tool(const part_model& part, const cad_step& step) {
                          : step.kind == step_kind::add ? body_operation::add
                                                        : body_operation::keep;
   return {{"tool", [&part, &step, operation] {
-             const auto tools = solids_of_tool(step.tool);
+             auto tools = solids_of_tool(step.tool);
+             for (const auto& one : step.more)
+               for (const auto& solid : solids_of_tool(one))
+                 tools.push_back(solid);
              return tools.empty() ? TopoDS_Shape() : combined(part, tools, operation);
            }}};
 }

@@ -1024,10 +1024,6 @@
         <translation>Des ganzen Kegels.</translation>
     </message>
     <message>
-        <source>Select the wall and give the place, or take its middle. The hole gets surfaces of its own, so loads can be put on them. Holes may cut other holes, edges and fillets.</source>
-        <translation>Wählen Sie die Fläche und geben Sie den Ort an, oder nehmen Sie ihre Mitte. Das Loch bekommt eigene Flächen, auf die Lasten gesetzt werden können. Löcher dürfen andere Löcher, Kanten und Rundungen schneiden.</translation>
-    </message>
-    <message>
         <source>sans</source>
         <translation>serifenlos</translation>
     </message>
@@ -1428,20 +1424,12 @@
         <translation>Hebt eine Zeile Text oder ein Logo aus einer Wand heraus oder senkt sie ein.</translation>
     </message>
     <message>
-        <source>Of capitals; of a logo its longer side.</source>
-        <translation>Von Großbuchstaben; von einem Logo die längere Seite.</translation>
-    </message>
-    <message>
         <source>Around round walls</source>
         <translation>Um runde Wände</translation>
     </message>
     <message>
         <source>Letters on a selected round wall follow it; else they stand straight on it.</source>
         <translation>Buchstaben auf einer ausgewählten runden Wand folgen ihr; sonst stehen sie gerade darauf.</translation>
-    </message>
-    <message>
-        <source>A logo instead of the text: the filled shapes of an SVG.</source>
-        <translation>Ein Logo statt des Textes: die gefüllten Formen einer SVG-Datei.</translation>
     </message>
     <message>
         <source>Hollow</source>
@@ -1802,6 +1790,42 @@
     <message>
         <source>Give the path by its points, or pick an edge of the part to go along. The profile&apos;s middle stays on the path, its corners are mitred; a path that ends where it began is closed. Walls and ends are surfaces of their own.</source>
         <translation>Den Weg durch seine Punkte angeben, oder eine Kante des Teils wählen, an der er entlanggeht. Die Mitte des Profils bleibt auf dem Weg, seine Ecken sind auf Gehrung; ein Weg, der endet, wo er begann, ist geschlossen. Wände und Enden sind eigene Flächen.</translation>
+    </message>
+    <message>
+        <source>Several at once, all alike: the middle of each profile.</source>
+        <translation>Mehrere auf einmal, alle gleich: die Mitte jedes Profils.</translation>
+    </message>
+    <message>
+        <source>Several at once, all alike: where each hole&apos;s axis enters a wall.</source>
+        <translation>Mehrere auf einmal, alle gleich: wo die Achse jedes Lochs in eine Wand eintritt.</translation>
+    </message>
+    <message>
+        <source>Select the wall and give the place, or take its middle. The hole gets surfaces of its own, so loads can be put on them. Holes may cut other holes, edges and fillets. With more places all holes are made, or none.</source>
+        <translation>Die Wand wählen und den Ort angeben, oder ihre Mitte nehmen. Das Loch bekommt eigene Flächen, auf die Lasten gelegt werden können. Löcher dürfen andere Löcher, Kanten und Ausrundungen schneiden. Bei mehreren Orten werden alle Löcher gemacht oder keins.</translation>
+    </message>
+    <message>
+        <source>Of capitals; of a logo its longer side, but for a DXF.</source>
+        <translation>Der Großbuchstaben; bei einem Logo seine längere Seite, außer bei einer DXF.</translation>
+    </message>
+    <message>
+        <source>A logo instead of the text: the filled shapes of an SVG or the outlines of a DXF.</source>
+        <translation>Ein Logo statt des Textes: die gefüllten Formen einer SVG oder die Umrisse einer DXF.</translation>
+    </message>
+    <message>
+        <source>Places for drains</source>
+        <translation>Orte für Abläufe</translation>
+    </message>
+    <message>
+        <source>Where more drain holes go, across the wall that is there.</source>
+        <translation>Wo weitere Ablauflöcher hinkommen, quer durch die Wand dort.</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>Of a part with several regions the one that becomes hollow, by name or number. Empty: the one of the picked walls.</source>
+        <translation>Bei einem Teil mit mehreren Bereichen der, der hohl wird, mit Name oder Nummer. Leer: der der gewählten Wände.</translation>
     </message>
 </context>
 <context>
@@ -6994,10 +7018,6 @@
         <translation>%1 ist leer</translation>
     </message>
     <message>
-        <source>%1 is no SVG picture</source>
-        <translation>%1 ist kein SVG-Bild</translation>
-    </message>
-    <message>
         <source>%1 is no closed surface: %2 edges have not one triangle on each side, the first at %3 of the file</source>
         <translation>%1 ist keine geschlossene Oberfläche: %2 Kanten haben nicht auf jeder Seite ein Dreieck, die erste bei %3 der Datei</translation>
     </message>
@@ -7030,20 +7050,12 @@
         <translation>Texte und Striche in Pfade umwandeln und füllen</translation>
     </message>
     <message>
-        <source>For the profile &quot;file&quot;: the filled shapes of an SVG.</source>
-        <translation>Für das Profil „Datei“: die gefüllten Formen einer SVG-Datei.</translation>
-    </message>
-    <message>
         <source>Give a count of 2 or more</source>
         <translation>Eine Anzahl ab 2 angeben</translation>
     </message>
     <message>
         <source>Give a file that ends in .stl, .obj, .off, .ply or .msh</source>
         <translation>Eine Datei angeben, die auf .stl, .obj, .off, .ply oder .msh endet</translation>
-    </message>
-    <message>
-        <source>Give a file that ends in .svg</source>
-        <translation>Eine Datei angeben, die auf .svg endet</translation>
     </message>
     <message>
         <source>Give a smaller count</source>
@@ -7076,10 +7088,6 @@
     <message>
         <source>Pick a wall of a hole, or a side of a boss that stands free</source>
         <translation>Eine Wand eines Lochs auswählen oder eine Seite eines Nockens, der frei steht</translation>
-    </message>
-    <message>
-        <source>Pick another wall for the drain</source>
-        <translation>Eine andere Wand für den Ablauf auswählen</translation>
     </message>
     <message>
         <source>Pick the wall of a round bore or pin; erode and thicken move walls of any form</source>
@@ -7142,10 +7150,6 @@
         <translation>Eine Art auf einmal nehmen</translation>
     </message>
     <message>
-        <source>The circle&apos;s and the polygon&apos;s diameter, the longer side of all others.</source>
-        <translation>Der Durchmesser von Kreis und Vieleck, die längere Seite aller anderen.</translation>
-    </message>
-    <message>
         <source>a closed void is</source>
         <translation>ein geschlossener Hohlraum bleibt</translation>
     </message>
@@ -7156,10 +7160,6 @@
     <message>
         <source>a pattern of one is what is there already</source>
         <translation>ein Muster aus einem ist, was schon da ist</translation>
-    </message>
-    <message>
-        <source>behind the middle of surface %1 lies no hollow</source>
-        <translation>hinter der Mitte von Fläche %1 liegt kein Hohlraum</translation>
     </message>
     <message>
         <source>change of the diameter</source>
@@ -10021,6 +10021,302 @@
         <source>what the tool leaves of two regions does not fit together</source>
         <translation>was das Werkzeug von zwei Bereichen übrig lässt, passt nicht zusammen</translation>
     </message>
+    <message>
+        <source>%1 ends early: the mark of its end is not there</source>
+        <translation>%1 endet zu früh: Das Zeichen für das Ende fehlt</translation>
+    </message>
+    <message>
+        <source>%1 is a DWG drawing, which is not read</source>
+        <translation>%1 ist eine DWG-Zeichnung, die nicht gelesen wird</translation>
+    </message>
+    <message>
+        <source>%1 is a binary DXF, which is not read</source>
+        <translation>%1 ist eine binäre DXF, die nicht gelesen wird</translation>
+    </message>
+    <message>
+        <source>%1 is damaged: %2 is no code of a group</source>
+        <translation>%1 ist beschädigt: %2 ist kein Code einer Gruppe</translation>
+    </message>
+    <message>
+        <source>%1 is no SVG picture and no DXF drawing</source>
+        <translation>%1 ist kein SVG-Bild und keine DXF-Zeichnung</translation>
+    </message>
+    <message>
+        <source>%1 is no number that a drawing can have</source>
+        <translation>%1 ist keine Zahl, die eine Zeichnung haben kann</translation>
+    </message>
+    <message>
+        <source>%1 lines of the drawing are there twice and count once</source>
+        <translation>%1 Linien der Zeichnung sind doppelt da und zählen einmal</translation>
+    </message>
+    <message>
+        <source>%1 lines of the drawing meet at %2: which of them is the outline cannot be told</source>
+        <translation>%1 Linien der Zeichnung treffen sich bei %2: Welche davon der Umriss ist, lässt sich nicht sagen</translation>
+    </message>
+    <message>
+        <source>Check the scales of its blocks</source>
+        <translation>Die Maßstäbe ihrer Blöcke prüfen</translation>
+    </message>
+    <message>
+        <source>Close it, or put what is no outline on a layer that is frozen or off</source>
+        <translation>Ihn schließen, oder was kein Umriss ist auf einen gefrorenen oder ausgeschalteten Layer legen</translation>
+    </message>
+    <message>
+        <source>Convert it to a polyline</source>
+        <translation>Ihn in eine Polylinie umwandeln</translation>
+    </message>
+    <message>
+        <source>Draw each outline once, without crossings, a little apart from others</source>
+        <translation>Jeden Umriss einmal zeichnen, ohne Kreuzungen, mit etwas Abstand zu anderen</translation>
+    </message>
+    <message>
+        <source>Draw it again, or put it on a layer that is frozen or off</source>
+        <translation>Neu zeichnen, oder auf einen gefrorenen oder ausgeschalteten Layer legen</translation>
+    </message>
+    <message>
+        <source>Draw it with lines, arcs, polylines, circles, ellipses or splines on layers that are shown</source>
+        <translation>Mit Linien, Bögen, Polylinien, Kreisen, Ellipsen oder Splines auf sichtbaren Layern zeichnen</translation>
+    </message>
+    <message>
+        <source>Explode the blocks</source>
+        <translation>Die Blöcke auflösen</translation>
+    </message>
+    <message>
+        <source>Explode the blocks, or export it again</source>
+        <translation>Die Blöcke auflösen, oder neu exportieren</translation>
+    </message>
+    <message>
+        <source>Export it again</source>
+        <translation>Neu exportieren</translation>
+    </message>
+    <message>
+        <source>Export it again as an ASCII DXF</source>
+        <translation>Neu als ASCII-DXF exportieren</translation>
+    </message>
+    <message>
+        <source>Export it again: numbers have a decimal point and are below 1e9</source>
+        <translation>Neu exportieren: Zahlen haben einen Dezimalpunkt und liegen unter 1e9</translation>
+    </message>
+    <message>
+        <source>For the profile &quot;file&quot;: the filled shapes of an SVG or the outlines of a DXF.</source>
+        <translation>Für das Profil &quot;file&quot;: die gefüllten Formen einer SVG oder die Umrisse einer DXF.</translation>
+    </message>
+    <message>
+        <source>Give a file that ends in .svg or .dxf</source>
+        <translation>Eine Datei angeben, die auf .svg oder .dxf endet</translation>
+    </message>
+    <message>
+        <source>Give a place on a wall</source>
+        <translation>Einen Ort auf einer Wand angeben</translation>
+    </message>
+    <message>
+        <source>Give each place once; the one of its own counts as the first</source>
+        <translation>Jeden Ort einmal angeben; der eigene zählt als der erste</translation>
+    </message>
+    <message>
+        <source>Give it: drain_diameter_mm=4</source>
+        <translation>Ihn angeben: drain_diameter_mm=4</translation>
+    </message>
+    <message>
+        <source>Give the scale that its unit lacks: scale=0.001</source>
+        <translation>Den Maßstab angeben, der ihrer Einheit fehlt: scale=0.001</translation>
+    </message>
+    <message>
+        <source>Leave it out: put it on a layer that is frozen or off</source>
+        <translation>Ihn weglassen: auf einen gefrorenen oder ausgeschalteten Layer legen</translation>
+    </message>
+    <message>
+        <source>Leave out what is no outline: put it on a layer that is frozen or off</source>
+        <translation>Weglassen, was kein Umriss ist: auf einen gefrorenen oder ausgeschalteten Layer legen</translation>
+    </message>
+    <message>
+        <source>Leave the places out, or take another profile</source>
+        <translation>Die Orte weglassen, oder ein anderes Profil nehmen</translation>
+    </message>
+    <message>
+        <source>More places</source>
+        <translation>Weitere Orte</translation>
+    </message>
+    <message>
+        <source>Name one: region=NAME; it has %1</source>
+        <translation>Einen nennen: region=NAME; es hat %1</translation>
+    </message>
+    <message>
+        <source>Of a DXF, which is as large as it is drawn: 25.4 for one in inches that does not say so.</source>
+        <translation>Einer DXF, die so groß ist, wie sie gezeichnet ist: 25.4 für eine in Zoll, die das nicht sagt.</translation>
+    </message>
+    <message>
+        <source>Pick walls of one region, or name it: region=NAME</source>
+        <translation>Wände eines Bereichs wählen, oder ihn nennen: region=NAME</translation>
+    </message>
+    <message>
+        <source>Put what is no outline on a layer that is frozen or off</source>
+        <translation>Was kein Umriss ist, auf einen gefrorenen oder ausgeschalteten Layer legen</translation>
+    </message>
+    <message>
+        <source>Save it as an ASCII DXF</source>
+        <translation>Als ASCII-DXF speichern</translation>
+    </message>
+    <message>
+        <source>Set it to millimetres or inches and export it again</source>
+        <translation>Auf Millimeter oder Zoll setzen und neu exportieren</translation>
+    </message>
+    <message>
+        <source>Take another wall or place for the drain</source>
+        <translation>Eine andere Wand oder einen anderen Ort für den Ablauf nehmen</translation>
+    </message>
+    <message>
+        <source>The circle&apos;s and the polygon&apos;s diameter, the longer side of all others but a DXF.</source>
+        <translation>Der Durchmesser von Kreis und Vieleck, die längere Seite aller anderen außer einer DXF.</translation>
+    </message>
+    <message>
+        <source>US survey feet</source>
+        <translation>US-Vermessungsfuß</translation>
+    </message>
+    <message>
+        <source>a %1 of the drawing %2</source>
+        <translation>%1 in der Zeichnung: %2</translation>
+    </message>
+    <message>
+        <source>a SPLINE of the drawing has no control points</source>
+        <translation>ein SPLINE der Zeichnung hat keine Kontrollpunkte</translation>
+    </message>
+    <message>
+        <source>an outline by its points is in one place, and more are given</source>
+        <translation>ein Umriss aus Punkten liegt an einem Ort, und es sind mehrere angegeben</translation>
+    </message>
+    <message>
+        <source>an outline of the drawing encloses nothing at %1</source>
+        <translation>ein Umriss der Zeichnung bei %1 umschließt nichts</translation>
+    </message>
+    <message>
+        <source>an outline of the drawing is open: it ends at %1 and at %2, %3 apart</source>
+        <translation>ein Umriss der Zeichnung ist offen: Er endet bei %1 und bei %2, Abstand %3</translation>
+    </message>
+    <message>
+        <source>behind %1 lies no hollow</source>
+        <translation>hinter %1 liegt kein Hohlraum</translation>
+    </message>
+    <message>
+        <source>blocks of the drawing are inserted in each other without end</source>
+        <translation>Blöcke der Zeichnung sind endlos ineinander eingefügt</translation>
+    </message>
+    <message>
+        <source>does not lie in the plane of the drawing</source>
+        <translation>liegt nicht in der Ebene der Zeichnung</translation>
+    </message>
+    <message>
+        <source>drain %1 (%2, %3, %4 mm): %5</source>
+        <translation>Ablauf %1 (%2, %3, %4 mm): %5</translation>
+    </message>
+    <message>
+        <source>has %1 knots for %2 control points and degree %3</source>
+        <translation>hat %1 Knoten für %2 Kontrollpunkte und Grad %3</translation>
+    </message>
+    <message>
+        <source>has knots in no order</source>
+        <translation>hat ungeordnete Knoten</translation>
+    </message>
+    <message>
+        <source>has no radius</source>
+        <translation>hat keinen Radius</translation>
+    </message>
+    <message>
+        <source>has no width</source>
+        <translation>hat keine Breite</translation>
+    </message>
+    <message>
+        <source>has not one weight for each control point</source>
+        <translation>hat nicht für jeden Kontrollpunkt ein Gewicht</translation>
+    </message>
+    <message>
+        <source>has weights that make no curve</source>
+        <translation>hat Gewichte, die keine Kurve ergeben</translation>
+    </message>
+    <message>
+        <source>is a surface</source>
+        <translation>ist eine Fläche</translation>
+    </message>
+    <message>
+        <source>left out of the drawing: %1</source>
+        <translation>in der Zeichnung ausgelassen: %1</translation>
+    </message>
+    <message>
+        <source>one of the places is beside the part</source>
+        <translation>einer der Orte liegt neben dem Teil</translation>
+    </message>
+    <message>
+        <source>outlines of the drawing cross or touch at %1</source>
+        <translation>Umrisse der Zeichnung kreuzen oder berühren sich bei %1</translation>
+    </message>
+    <message>
+        <source>place %1 of %2 (%3, %4, %5 mm): %6</source>
+        <translation>Ort %1 von %2 (%3, %4, %5 mm): %6</translation>
+    </message>
+    <message>
+        <source>places for drain holes are given, and no diameter</source>
+        <translation>Orte für Ablauflöcher sind angegeben, aber kein Durchmesser</translation>
+    </message>
+    <message>
+        <source>side %1</source>
+        <translation>Seite %1</translation>
+    </message>
+    <message>
+        <source>surface %1 is no wall of one region that is meant</source>
+        <translation>Fläche %1 ist keine Wand des einen gemeinten Bereichs</translation>
+    </message>
+    <message>
+        <source>the drawing does not say its unit: it is taken for millimetres</source>
+        <translation>die Zeichnung nennt ihre Einheit nicht: Es werden Millimeter angenommen</translation>
+    </message>
+    <message>
+        <source>the drawing has more than 20,000 lines and arcs</source>
+        <translation>die Zeichnung hat mehr als 20.000 Linien und Bögen</translation>
+    </message>
+    <message>
+        <source>the drawing has no closed outline</source>
+        <translation>die Zeichnung hat keinen geschlossenen Umriss</translation>
+    </message>
+    <message>
+        <source>the drawing inserts a block that it does not have</source>
+        <translation>die Zeichnung fügt einen Block ein, den sie nicht hat</translation>
+    </message>
+    <message>
+        <source>the drawing is %1 m long; a profile has 0.000001 to 10 m</source>
+        <translation>die Zeichnung ist %1 m lang; ein Profil hat 0,000001 bis 10 m</translation>
+    </message>
+    <message>
+        <source>the drawing reaches further than any part</source>
+        <translation>die Zeichnung reicht weiter als jedes Teil</translation>
+    </message>
+    <message>
+        <source>the drawing&apos;s unit, $INSUNITS %1, is none that parts are measured in</source>
+        <translation>die Einheit der Zeichnung, $INSUNITS %1, ist keine, in der Teile gemessen werden</translation>
+    </message>
+    <message>
+        <source>the middle of surface %1</source>
+        <translation>der Mitte von Fläche %1</translation>
+    </message>
+    <message>
+        <source>the part has %1 regions, and which is to be hollow is not said</source>
+        <translation>das Teil hat %1 Bereiche, und welcher hohl werden soll, ist nicht gesagt</translation>
+    </message>
+    <message>
+        <source>the part has no region &quot;%1&quot;</source>
+        <translation>das Teil hat keinen Bereich &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>the place</source>
+        <translation>dem Ort</translation>
+    </message>
+    <message>
+        <source>the places %1 and %2 are the same</source>
+        <translation>die Orte %1 und %2 sind derselbe</translation>
+    </message>
+    <message>
+        <source>there is no wall within %1 mm of it</source>
+        <translation>innerhalb von %1 mm davon ist keine Wand</translation>
+    </message>
 </context>
 <context>
     <name>server_lists</name>
@@ -11039,6 +11335,10 @@ TEdit ist freie Software unter der GNU Affero General Public License, Version 3 
     <message>
         <source>no file</source>
         <translation>keine Datei</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
     </message>
 </context>
 <context>

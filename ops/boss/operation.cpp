@@ -13,7 +13,7 @@ public:
     d.id = "boss";
     d.name = "Boss";
     d.summary = "Adds a round, rectangular, slotted or polygonal boss to a wall.";
-    d.version = "1.2.0";
+    d.version = "1.3.0";
     d.selection.help = "The wall to put it on, or none where a place is given.";
     d.selection.minimum = 0;
     d.selection.maximum = 1;
@@ -31,6 +31,8 @@ public:
       "Place", "The middle of the profile, on the wall. Empty: the middle of the selected wall."));
     d.parameters.push_back(ops::direction_parameter(
       "direction", "Outward", "The direction that it grows in. Empty: across the wall."));
+    d.parameters.push_back(
+      ops::places_parameter("Several at once, all alike: the middle of each profile."));
     d.icon = ops::line_icon(R"(<path d="M3 20 V14 H8 V6 H16 V14 H21 V20 Z"/>)");
     d.guide =
       "Select the wall and give the place, or take its middle. On curved walls the boss goes down "
@@ -48,4 +50,4 @@ public:
 
 }  // namespace
 
-TEDIT_PLUGIN("boss", "1.2.0", boss_operation)
+TEDIT_PLUGIN("boss", "1.3.0", boss_operation)

@@ -109,13 +109,14 @@ void judge_range(const parameter_description& p) {
     p.type == parameter_type::real || p.type == parameter_type::integer || counted;
   if (!number && (p.min || p.max))
     throw failure{"parameter " + p.id + " is no number and has a range", "Leave min and max out"};
-  if (p.type == parameter_type::polyline && (p.min.value_or(2) < 2 || p.max.value_or(2) > 10'000))
-    throw failure{"the polyline " + p.id + " may have fewer than 2 or more than 10,000 points",
+  if (p.type == parameter_type::polyline && (p.min.value_or(2) < 1 || p.max.value_or(2) > 10'000))
+    throw failure{"the polyline " + p.id + " may have no or more than 10,000 points",
                   "min and max say how many points it has"};
-  if ((p.type == parameter_type::choice) == p.choices.empty())
+  // Of a file they are the endings that a dialog offers, and may be left out.
+  if (p.type != parameter_type::file && (p.type == parameter_type::choice) == p.choices.empty())
     throw failure{p.choices.empty() ? "parameter " + p.id + " is a choice of nothing"
                                     : "parameter " + p.id + " lists choices but is none",
-                  "Fill `choices` for parameter_type::choice, and only for it"};
+                  "Fill `choices` for parameter_type::choice and parameter_type::file only"};
 }
 
 std::string defaults(plugin_trial& b) {

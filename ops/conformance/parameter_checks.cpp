@@ -145,6 +145,7 @@ std::string hostile(plugin_trial& b) {
     attachment_text({"rubbish.stl", rubbish()}),
     attachment_text({"no_end.stl", "solid part\nfacet nor"}),
     attachment_text({"no_end.svg", "<svg><path d=\"M 1e99"}),
+    attachment_text({"no_end.dxf", "0\nSECTION\n2\nENTITIES\n0\nCIRCLE\n40\n1e8\n"}),
     true};
   int answered = 0;
   for (const auto& p : b.description().parameters)

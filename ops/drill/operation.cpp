@@ -22,7 +22,7 @@ public:
     d.id = "drill";
     d.name = "Drill";
     d.summary = "Drills a hole: blind or through, with counterbore, countersink or for a thread.";
-    d.version = "1.0.0";
+    d.version = "1.1.0";
     d.selection.help = "The wall to drill into, or none where a place is given.";
     d.selection.minimum = 0;
     d.selection.maximum = 1;
@@ -50,12 +50,14 @@ public:
       length("countersink_diameter", "Countersink", "Its diameter at the wall; 0: none.", 0, 0),
       angle("countersink_angle", "Countersink angle", "Of the whole cone.", 0.17,
             1.5707963267948966),
+      ops::places_parameter("Several at once, all alike: where each hole's axis enters a wall."),
     };
     d.icon = ops::line_icon(
       R"(<path d="M4 10 H9 V19 H15 V10 H20"/><path d="M12 3 V14" stroke-dasharray="2 2.4"/>)");
     d.guide =
       "Select the wall and give the place, or take its middle. The hole gets surfaces of its own, "
-      "so loads can be put on them. Holes may cut other holes, edges and fillets.";
+      "so loads can be put on them. Holes may cut other holes, edges and fillets. "
+      "With more places all holes are made, or none.";
     d.rank = 30;
     return d;
   }
@@ -63,14 +65,10 @@ public:
   expected<ops::edit_result> apply(const version_ptr& mesh, const ops::selection& picked,
                                    const ops::parameters& values,
                                    ops::context& ctx) const override {
-    const auto shape = ops::drill_shape_from(values);
-    const auto where = ops::placement_of(*mesh, picked, values, "direction", 2 * shape.diameter);
-    if (!where)
-      return fail(where.error());
-    return ops::drill(mesh, *where, shape, ops::as_set(picked), ctx);
+    return ops::drill_holes(mesh, picked, values, ctx);
   }
 };
 
 }  // namespace
 
-TEDIT_PLUGIN("drill", "1.0.0", drill_operation)
+TEDIT_PLUGIN("drill", "1.1.0", drill_operation)

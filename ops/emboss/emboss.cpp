@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ops/shapes/outlines/svg_outlines.hpp"
 #include "ops/tools/profiles.hpp"
 #include "ops/tools/text/text_outlines.hpp"
 
@@ -18,7 +17,7 @@ namespace {
 
 expected<profile> outlines_of(const emboss_text& what, double edge) {
   if (what.logo)
-    return svg_outlines(*what.logo, what.letter_height, edge);
+    return what.logo->outlines(what.letter_height, edge);
   if (what.text.find_first_not_of(" \t") == std::string::npos)
     return fail(ec::invalid_parameter, "there is no text to emboss", "Give text=...");
   const auto font = font_file(what.font);
@@ -94,10 +93,11 @@ expected<emboss_order> emboss_order_of(const mesh_version& mesh, const selection
   what.letter_height = std::get<double>(values.at("size"));
   what.height = std::get<double>(values.at("height"));
   what.wraps = std::get<bool>(values.at("wrap"));
-  if (const auto& logo = std::get<std::string>(values.at("file")); !logo.empty()) {
-    auto file = read_attachment(logo);
+  if (!std::get<std::string>(values.at("file")).empty()) {
+    auto file = outline_file_of(values);
     if (!file)
       return fail(file.error());
+    what.letter_height = file->longer_side(what.letter_height);
     what.logo = std::move(*file);
   }
   if (what.text.size() > 200)
@@ -125,6 +125,9 @@ expected<emboss_shape> emboss_shape_of(const mesh_version& mesh, const placement
   if (!outlines)
     return fail(outlines.error());
   shape.outlines = std::move(*outlines);
+  if (what.logo)
+    if (auto ok = check_drawn_edges(*what.logo, shape.outlines, where); !ok)
+      return fail(ok.error());
   shape.round = what.wraps ? round_wall(mesh, picked) : std::nullopt;
   placement on = where;
   if (shape.round) {
@@ -154,8 +157,9 @@ expected<edit_result> emboss(const version_ptr& mesh, const placement& where,
     return fail(tool.error());
   if (shape->round)
     wrap(*shape->round, shape->place, *tool);
-  return apply_tool(mesh, *tool, what.height > 0 ? boolean_mode::add : boolean_mode::cut,
-                    where.size, picked, ctx);
+  auto made = apply_tool(mesh, *tool, what.height > 0 ? boolean_mode::add : boolean_mode::cut,
+                         where.size, picked, ctx);
+  return what.logo ? with_notices(std::move(made), what.logo->notices()) : made;
 }
 
 }  // namespace tedit::ops

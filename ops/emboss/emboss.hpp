@@ -3,20 +3,19 @@
 
 #include <optional>
 
-#include "base/attachment.hpp"
 #include "mesh/features/wall_shape.hpp"
-#include "ops/tools/placement.hpp"
+#include "ops/shapes/outlines/outline_file.hpp"
 
 namespace tedit::ops {
 
 struct emboss_text {
-  std::string text;                     ///< UTF-8, one line.
-  std::string font = "sans";            ///< As `font_file` takes it.
-  double letter_height = 0;             ///< m, of capitals; of a logo its longer side.
-  double height = 0;                    ///< m; negative is sunk.
-  vec3 up;                              ///< Which way the letters stand; zero: by the part's axes.
-  std::optional<attachment> logo = {};  ///< An SVG instead of the text.
-  bool wraps = true;                    ///< Around a selected wall that is a round cylinder.
+  std::string text;           ///< UTF-8, one line.
+  std::string font = "sans";  ///< As `font_file` takes it.
+  double letter_height = 0;   ///< m, of capitals; of a logo its longer side.
+  double height = 0;          ///< m; negative is sunk.
+  vec3 up;                    ///< Which way the letters stand; zero: by the part's axes.
+  std::optional<outline_file> logo = {};  ///< Instead of the text.
+  bool wraps = true;                      ///< Around a selected wall that is a round cylinder.
 };
 
 /// Up for a wall that nobody gave one for: the part's z axis, on level walls its y axis.
@@ -28,7 +27,7 @@ struct emboss_order {
   placement where;
 };
 
-/// Errors: `invalid_parameter` for a long text, those of `read_attachment` and of `placement_of`.
+/// Errors: `invalid_parameter` for a long text, those of `outline_file_of` and of `placement_of`.
 [[nodiscard]] expected<emboss_order> emboss_order_of(const mesh_version& mesh,
                                                      const selection& picked,
                                                      const parameters& values);
@@ -44,8 +43,8 @@ struct emboss_shape {
   std::optional<wall_shape> round;  ///< The cylinder that they are bent around.
 };
 
-/// Errors: those of `text_outlines` and of `svg_outlines`, `invalid_parameter` for letters that no
-/// mesh can have there. Cost: some rays.
+/// Errors: those of `text_outlines` and of `outline_file::outlines`, `invalid_parameter` for
+/// letters that no mesh can have there. Cost: some rays.
 [[nodiscard]] expected<emboss_shape> emboss_shape_of(const mesh_version& mesh,
                                                      const placement& where,
                                                      const emboss_text& what,
@@ -53,7 +52,7 @@ struct emboss_shape {
 
 /// The text or logo raised from the wall at the place, or sunk into it: straight, or around the
 /// cylinder that the first selected wall is. Errors: those of
-/// `text_outlines`, of `svg_outlines` and of `services::boolean`.
+/// `text_outlines`, of `outline_file::outlines` and of `services::boolean`.
 [[nodiscard]] expected<edit_result> emboss(const version_ptr& mesh, const placement& where,
                                            const emboss_text& what,
                                            const std::vector<surface_id>& picked, context& ctx);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "ops/emboss/emboss.hpp"
-#include "ops/shapes/outlines/svg_outlines.hpp"
 
 namespace {
 
@@ -14,7 +13,7 @@ public:
     d.id = "emboss";
     d.name = "Emboss text or logo";
     d.summary = "Raises a line of text or a logo from a wall, or sinks it in.";
-    d.version = "1.1.0";
+    d.version = "1.2.0";
     d.selection.help = "The wall to write on, or none where a place is given.";
     d.selection.minimum = 0;
     d.selection.maximum = 1;
@@ -22,7 +21,7 @@ public:
       {"text", "Text", "One line.", text, "", {}, {}, {}, std::string("TEdit")},
       {"size",
        "Letter height",
-       "Of capitals; of a logo its longer side.",
+       "Of capitals; of a logo its longer side, but for a DXF.",
        real,
        "m",
        1e-5,
@@ -63,8 +62,10 @@ public:
        {},
        {},
        true},
-      ops::outline_file_parameter("A logo instead of the text: the filled shapes of an SVG."),
     };
+    for (auto& one : ops::outline_file_parameters(
+           "A logo instead of the text: the filled shapes of an SVG or the outlines of a DXF."))
+      d.parameters.push_back(std::move(one));
     d.icon =
       ops::line_icon(R"(<path d="M4 19 L10 5 L16 19 M6.2 14 H13.8"/><path d="M18 19 H21"/>)");
     d.guide =
@@ -86,4 +87,4 @@ public:
 
 }  // namespace
 
-TEDIT_PLUGIN("emboss", "1.1.0", emboss_operation)
+TEDIT_PLUGIN("emboss", "1.2.0", emboss_operation)

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "base/number_range.hpp"
+#include "base/short_number.hpp"
 #include "mesh/checks.hpp"
 #include "ops/hollow/shell_field.hpp"
 #include "ops/hollow/untangle.hpp"
@@ -81,27 +82,27 @@ void_tool large_pieces(const closed_surface& all, double least) {
   return result;
 }
 
-double boundary_area(const mesh_version& mesh) {
-  double sum = 0;
-  for (facet_id f = 0; f < mesh.facet_slots(); ++f)
-    if (mesh.is_live_facet(f))
-      sum += norm(area_vector(mesh, mesh.facet(f)));
-  return sum;
-}
-
 class hollower {
 public:
   hollower(const version_ptr& mesh, const std::vector<surface_id>& picked,
            const hollow_settings& settings, context& ctx)
-      : mesh_(mesh), picked_(picked), settings_(settings), ctx_(ctx), now_(mesh) {}
+      : mesh_(mesh),
+        picked_(picked),
+        settings_(settings),
+        ctx_(ctx),
+        now_(mesh),
+        walls_(walls_of(*mesh, settings.region)) {}
 
   expected<edit_result> run() {
     if (auto ok = cut_inside(); !ok)
       return fail(ok.error());
     if (settings_.drain_diameter > 0)
       for (const auto wall : picked_)
-        if (auto ok = drain(wall); !ok)
+        if (auto ok = drain_wall(wall); !ok)
           return fail(ok.error());
+    for (std::size_t i = 0; i < settings_.drains.size(); ++i)
+      if (auto ok = drain_place(settings_.drains[i]); !ok)
+        return fail(at_drain(ok.error(), i));
     return result();
   }
 
@@ -113,9 +114,9 @@ private:
   /// The edge of the grid's cells, m. Errors: `invalid_parameter` where there would be too many.
   expected<double> cell() const {
     const double t = settings_.thickness;
-    const double edge = edge_share * local_size(*mesh_, extent_of(*mesh_));
+    const double edge = edge_share * local_size(*mesh_, walls_.extent);
     const double size = std::clamp(edge, finest_cell * t, coarsest_cell * t);
-    const double least = std::sqrt(cells_an_area * boundary_area(*mesh_) / most_cells);
+    const double least = std::sqrt(cells_an_area * walls_.area / most_cells);
     if (size >= least)
       return size;
     const double thickness = least / (edge >= least ? coarsest_cell : finest_cell);
@@ -130,7 +131,7 @@ private:
     const auto size = cell();
     if (!size)
       return fail(size.error());
-    const shell_field field(*mesh_, open_walls(), settings_.thickness,
+    const shell_field field(*mesh_, walls_, open_walls(), settings_.thickness,
                             overlap_share * settings_.thickness);
     std::optional<error> last;
     for (const auto& shift : grids) {
@@ -144,7 +145,7 @@ private:
 
   expected<void_tool> inside_of(const shell_field& field, double size, const vec3& shift) {
     isosurface_settings grid;
-    grid.extent = extent_of(*mesh_).grown(settings_.thickness);
+    grid.extent = walls_.extent.grown(settings_.thickness);
     grid.cell = size;
     grid.shift = shift;
     ctx_.run.report(0.05, "looking for the inside");
@@ -176,19 +177,40 @@ private:
     return std::nullopt;
   }
 
-  expected<void> drain(surface_id wall) {
+  expected<void> drain_wall(surface_id wall) {
     const auto middle = middle_of(*mesh_, wall);
     if (!middle)
       return fail(middle.error());
+    return drain(*middle, "the middle of surface " + std::to_string(wall));
+  }
+
+  /// The place may lie a little off its wall.
+  expected<void> drain_place(vec3 place) {
+    const auto on = wall_near(*mesh_, place, settings_.thickness / 2);
+    if (!on)
+      return fail(on.error());
+    return drain(*on, "the place");
+  }
+
+  [[nodiscard]] error at_drain(error e, std::size_t i) const {
+    const auto mm = [](double metres) { return short_number(1e3 * metres, 8); };
+    const vec3 p = settings_.drains[i];
+    e.message = "drain " + std::to_string(i + 1) + " (" + mm(p.x) + ", " + mm(p.y) + ", " +
+                mm(p.z) + " mm): " + e.message;
+    return e;
+  }
+
+  /// `what`: the place in words.
+  expected<void> drain(const wall_middle& at, const std::string& what) {
+    const auto* middle = &at;
     const double r = settings_.drain_diameter / 2;
     const auto hits =
       ray_hits(*now_, middle->point - 1e-6 * settings_.thickness * middle->normal, -middle->normal);
     const bool through = hits.size() > 1 && hits.front().leaves;
     const double depth = through ? hits.front().distance + 0.5 * settings_.thickness : 0;
     if (!through || hits.front().distance > 3 * settings_.thickness)
-      return fail(ec::invalid_argument,
-                  "behind the middle of surface " + std::to_string(wall) + " lies no hollow",
-                  "Pick another wall for the drain");
+      return fail(ec::invalid_argument, "behind " + what + " lies no hollow",
+                  "Take another wall or place for the drain");
     box near;
     near.add(middle->point);
     const double size = std::min(local_size(*mesh_, near.grown(r)), 0.4 * r);
@@ -238,12 +260,30 @@ private:
   const hollow_settings& settings_;
   context& ctx_;
   version_ptr now_;
+  region_walls walls_;
   double change_ = 0;
   double deviation_ = 0;
   std::size_t voids_ = 0;
 };
 
 }  // namespace
+
+expected<hollow_settings> hollow_settings_of(const mesh_version& mesh,
+                                             const std::vector<surface_id>& picked,
+                                             const parameters& values) {
+  hollow_settings settings;
+  settings.thickness = std::get<double>(values.at("thickness"));
+  settings.drain_diameter = std::get<double>(values.at("drain_diameter"));
+  settings.drains = points_of(values, "drain_points");
+  if (!settings.drains.empty() && settings.drain_diameter == 0)
+    return fail(ec::invalid_parameter, "places for drain holes are given, and no diameter",
+                "Give it: drain_diameter_mm=4");
+  const auto region = region_meant(mesh, std::get<std::string>(values.at("region")), picked);
+  if (!region)
+    return fail(region.error());
+  settings.region = *region;
+  return settings;
+}
 
 expected<edit_result> hollow(const version_ptr& mesh, const std::vector<surface_id>& picked,
                              const hollow_settings& settings, context& ctx) {

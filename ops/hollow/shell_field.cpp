@@ -33,12 +33,9 @@ vec3 place(const kernel::Point_3& p) {
 /// weighted pseudonormal", 2005.
 class pseudo_normals {
 public:
-  explicit pseudo_normals(const mesh_version& mesh) : mesh_(mesh) {
-    for (facet_id f = 0; f < mesh.facet_slots(); ++f) {
-      if (!mesh.is_live_facet(f))
-        continue;
-      const auto& v = mesh.facet(f).v;
-      const vec3 n = normalized(area_vector(mesh, mesh.facet(f)));
+  pseudo_normals(const mesh_version& mesh, const region_walls& walls) : mesh_(mesh) {
+    for (const auto& v : walls.triangles) {
+      const vec3 n = normalized(whole_of(v));
       for (int k = 0; k < 3; ++k) {
         const vec3 at = mesh.position(v[k]);
         const vec3 a = normalized(mesh.position(v[(k + 1) % 3]) - at);
@@ -49,11 +46,10 @@ public:
     }
   }
 
-  /// At the point of a facet nearest to some other point.
-  [[nodiscard]] vec3 at(facet_id f, vec3 nearest) const {
-    const auto& v = mesh_.facet(f).v;
+  /// At the point of a triangle nearest to some other point.
+  [[nodiscard]] vec3 at(const std::array<vertex_id, 3>& v, vec3 nearest) const {
     std::array<double, 3> share{};
-    const vec3 whole = area_vector(mesh_, mesh_.facet(f));
+    const vec3 whole = whole_of(v);
     for (int k = 0; k < 3; ++k)
       share[k] =
         dot(area_vector(nearest, mesh_.position(v[(k + 1) % 3]), mesh_.position(v[(k + 2) % 3])),
@@ -70,6 +66,10 @@ public:
   }
 
 private:
+  [[nodiscard]] vec3 whole_of(const std::array<vertex_id, 3>& v) const {
+    return area_vector(mesh_.position(v[0]), mesh_.position(v[1]), mesh_.position(v[2]));
+  }
+
   static std::uint64_t key(vertex_id a, vertex_id b) {
     return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
   }
@@ -81,14 +81,13 @@ private:
 
 }  // namespace
 
-/// Some facets of the boundary.
+/// Some triangles of the walls.
 class shell_field::wall_tree {
 public:
-  wall_tree(const mesh_version& mesh, std::vector<facet_id> facets,
+  wall_tree(const mesh_version& mesh, std::vector<std::array<vertex_id, 3>> corners,
             std::shared_ptr<const pseudo_normals> normals)
-      : facets_(std::move(facets)), normals_(std::move(normals)) {
-    for (const auto f : facets_) {
-      const auto& v = mesh.facet(f).v;
+      : corners_(std::move(corners)), normals_(std::move(normals)) {
+    for (const auto& v : corners_) {
       triangles_.emplace_back(point(mesh.position(v[0])), point(mesh.position(v[1])),
                               point(mesh.position(v[2])));
     }
@@ -105,26 +104,27 @@ public:
   [[nodiscard]] nearest to(vec3 p) const {
     const auto [q, which] = boxes_.closest_point_and_primitive(point(p));
     const vec3 at = place(q);
-    const auto f = facets_[static_cast<std::size_t>(which - triangles_.begin())];
-    return {at, norm(p - at), dot(p - at, normals_->at(f, at)) < 0};
+    const auto& v = corners_[static_cast<std::size_t>(which - triangles_.begin())];
+    return {at, norm(p - at), dot(p - at, normals_->at(v, at)) < 0};
   }
 
 private:
-  std::vector<facet_id> facets_;
+  std::vector<std::array<vertex_id, 3>> corners_;
   std::shared_ptr<const pseudo_normals> normals_;
   triangles triangles_;
   tree boxes_;
 };
 
-shell_field::shell_field(const mesh_version& mesh, const std::vector<surface_id>& open,
-                         double thickness, double overlap)
+shell_field::shell_field(const mesh_version& mesh, const region_walls& walls,
+                         const std::vector<surface_id>& open, double thickness, double overlap)
     : thickness_(thickness), overlap_(overlap) {
-  std::vector<facet_id> kept;
-  std::vector<facet_id> left_open;
-  for (facet_id f = 0; f < mesh.facet_slots(); ++f)
-    if (mesh.is_live_facet(f))
-      (std::ranges::count(open, mesh.facet(f).surface) > 0 ? left_open : kept).push_back(f);
-  const auto normals = std::make_shared<const pseudo_normals>(mesh);
+  std::vector<std::array<vertex_id, 3>> kept;
+  std::vector<std::array<vertex_id, 3>> left_open;
+  for (std::size_t i = 0; i < walls.triangles.size(); ++i) {
+    const auto& of = walls.surfaces[i];
+    (of && std::ranges::count(open, *of) > 0 ? left_open : kept).push_back(walls.triangles[i]);
+  }
+  const auto normals = std::make_shared<const pseudo_normals>(mesh, walls);
   if (!kept.empty())
     closed_ = std::make_unique<wall_tree>(mesh, std::move(kept), normals);
   if (!left_open.empty())

@@ -190,7 +190,7 @@ vec3 point_at(const number_group& numbers, std::size_t i) {
 
 expected<void> check_polyline(const parameter_description& p, const number_group& numbers) {
   const std::size_t count = numbers.size() / 3;
-  const double least = std::max(p.min.value_or(2), 2.0);
+  const double least = std::max(p.min.value_or(2), 1.0);
   const double most = std::min(p.max.value_or(most_items), double{most_items});
   if (static_cast<double>(count) < least || static_cast<double>(count) > most)
     return wrong_value(p, "it has " + std::to_string(count) + " points, and takes " +
@@ -285,7 +285,7 @@ tl::unexpected<error> wrong_value(const parameter_description& p, const std::str
     remedy = (list ? "Each takes " : "It takes ") + number_text(range.least) + " to " +
              number_text(range.most) + " " + range.unit;
   }
-  if (!p.choices.empty()) {
+  if (p.type == parameter_type::choice) {
     remedy = "Choose one of";
     for (const auto& choice : p.choices)
       remedy += " " + choice;

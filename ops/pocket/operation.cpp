@@ -13,7 +13,7 @@ public:
     d.id = "pocket";
     d.name = "Pocket";
     d.summary = "Cuts a round, rectangular, slotted or polygonal pocket into a wall.";
-    d.version = "1.2.0";
+    d.version = "1.3.0";
     d.selection.help = "The wall to cut into, or none where a place is given.";
     d.selection.minimum = 0;
     d.selection.maximum = 1;
@@ -31,6 +31,8 @@ public:
       "Place", "The middle of the profile, on the wall. Empty: the middle of the selected wall."));
     d.parameters.push_back(ops::direction_parameter(
       "direction", "Outward", "The direction that it is cut against. Empty: across the wall."));
+    d.parameters.push_back(
+      ops::places_parameter("Several at once, all alike: the middle of each profile."));
     d.icon = ops::line_icon(R"(<path d="M3 8 H8 V17 H16 V8 H21"/><path d="M3 8 V20 H21 V8"/>)");
     d.guide =
       "Select the wall and give the place, or take its middle. The floor and the walls of the "
@@ -48,4 +50,4 @@ public:
 
 }  // namespace
 
-TEDIT_PLUGIN("pocket", "1.2.0", pocket_operation)
+TEDIT_PLUGIN("pocket", "1.3.0", pocket_operation)

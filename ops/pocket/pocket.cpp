@@ -8,18 +8,13 @@ namespace tedit::ops {
 
 expected<edit_result> cut_pocket(const version_ptr& mesh, const selection& picked,
                                  const parameters& values, context& ctx) {
-  const auto what = placed_profile_of(*mesh, picked, values, largest_number);
-  if (!what)
-    return fail(what.error());
-  const double radius = radius_of(what->shape);
-  const auto span = pocket_span(*mesh, what->where, std::get<double>(values.at("height")), radius);
-  if (auto ok = check_fineness(what->where, what->size, span.to - span.from + 2 * radius); !ok)
-    return fail(ok.error());
-  const auto tool =
-    extrude(what->place, what->shape, span.from, span.to, what->size, "pocket", *ctx.host);
-  if (!tool)
-    return fail(tool.error());
-  return apply_tool(mesh, *tool, boolean_mode::cut, what->where.size, as_set(picked), ctx);
+  const double depth = std::get<double>(values.at("height"));
+  return apply_profile(mesh, picked, values,
+                       {boolean_mode::cut, "pocket", largest_number,
+                        [&](const placed_profile& what, double radius) {
+                          return pocket_span(*mesh, what.where, depth, radius);
+                        }},
+                       ctx);
 }
 
 }  // namespace tedit::ops

@@ -36,7 +36,7 @@ enum class parameter_type {
   file,
   axis,      ///< Since SDK 7.4, as are all below: a point (m) and a direction, "0, 0, 1; 0, 0, 1".
   plane,     ///< The same two: a point of it and its normal.
-  polyline,  ///< Points (m), "0, 0, 0; 1, 0, 0": 2 to 10,000, none like the one before it.
+  polyline,  ///< Points (m), "0, 0, 0; 1, 0, 0": 2 (or `min`) to 10,000, each another.
   list       ///< Numbers in `unit`, "0.5, 1, 2": 1 to 10,000.
 };
 
@@ -55,7 +55,7 @@ struct parameter_description {
   /// has.
   std::optional<double> min;
   std::optional<double> max;
-  std::vector<std::string> choices;  ///< For choice.
+  std::vector<std::string> choices;  ///< For choice; of a file the endings to look for: "svg".
   parameter_value default_value = false;
   /// Id of a number that this one stands in for: where a request gives this one and not that one,
   /// that one is 0 instead of its default.

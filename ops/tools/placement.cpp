@@ -92,6 +92,17 @@ expected<placement> placement_of(const mesh_version& mesh, const selection& pick
   return result;
 }
 
+expected<wall_middle> wall_near(const mesh_version& mesh, vec3 place, double within) {
+  const vec3 outward = outward_at(mesh, place);
+  const vec3 above = place + within * outward;
+  for (const auto& hit : ray_hits(mesh, above, -outward))
+    if (!hit.leaves && hit.distance <= 2 * within)
+      return wall_middle{above - hit.distance * outward, outward};
+  return fail(ec::invalid_parameter,
+              "there is no wall within " + number_text(1e3 * within) + " mm of it",
+              "Give a place on a wall");
+}
+
 bool in_material(const mesh_version& mesh, vec3 point) {
   // A direction that hardly any edge of a part lies along.
   const auto hits = ray_hits(mesh, point, normalized({0.5377, 0.2713, 0.7982}));

@@ -27,6 +27,10 @@ struct placement {
                                                         const std::string& name,
                                                         const std::string& help);
 
+/// The wall that a place lies on, or above or below it by at most `within` (m), and its normal.
+/// Errors: `invalid_parameter` where there is none.
+[[nodiscard]] expected<wall_middle> wall_near(const mesh_version& mesh, vec3 place, double within);
+
 /// Has a point material around? By the boundary along a ray.
 [[nodiscard]] bool in_material(const mesh_version& mesh, vec3 point);
 

@@ -142,6 +142,29 @@ TEST_F(ReplayFeatures, AnOutlineAPlaneAndAPathAreMadeOnTheModel) {
   EXPECT_NEAR(volume_of(groove.model), box_mm3 - 2 * 2 * 20, 1e-7);
 }
 
+/// Two holes of 2 mm and three squares of 1 mm, 3 mm deep, each as one edit.
+TEST_F(ReplayFeatures, AToolAtSeveralPlacesIsOneEdit) {
+  const auto holes = same({"drill",
+                           {},
+                           {{"places", std::string("0.003,0.005,0.03; 0.007,0.015,0.03")},
+                            {"direction", std::string("0,0,1")},
+                            {"diameter", 0.002},
+                            {"depth", 0.003}},
+                           {}});
+  const auto squares = same({"boss",
+                             {},
+                             {{"profile", std::string("rectangle")},
+                              {"at", std::string("0.002,0.004,0.03")},
+                              {"places", std::string("0.005,0.01,0.03; 0.008,0.016,0.03")},
+                              {"direction", std::string("0,0,1")},
+                              {"size", 0.001},
+                              {"height", 0.003}},
+                             {}});
+
+  EXPECT_NEAR(volume_of(holes.model), box_mm3 - 2 * 3 * std::numbers::pi, 1e-6);
+  EXPECT_NEAR(volume_of(squares.model), box_mm3 + 3 * 3, 1e-7);
+}
+
 /// A step of 4 mm on the box, and a triangle of 3 x 3 mm, 1 mm thick, in its corner.
 TEST_F(ReplayFeatures, ARibStandsInACorner) {
   const auto step = same(combination("add", box_obj({0, 0, 30}, {10, 8, 34})));

@@ -5,6 +5,7 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QFileDialog>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -308,6 +309,30 @@ TEST(OperationForm, AFileIsItsContentUntilAnotherPathIsTyped) {
   field->clear();
   QTest::keyClicks(field, "nowhere");
   EXPECT_EQ(value(), "nowhere");
+}
+
+TEST(OperationForm, TheDialogForAFileShowsThoseThatFitFirst) {
+  ops::operation_description about;
+  about.id = "pocket";
+  about.parameters = {{"file",
+                       "File",
+                       "",
+                       ops::parameter_type::file,
+                       "",
+                       {},
+                       {},
+                       {"svg", "dxf", "x);;All (*"},
+                       std::string()}};
+  operation_form form(about);
+  form.findChild<QWidget*>("file")->findChild<QToolButton*>()->click();
+
+  auto* dialog = form.findChild<QFileDialog*>();
+  ASSERT_NE(dialog, nullptr);
+  const auto filters = dialog->nameFilters();
+  ASSERT_EQ(filters.size(), 2);
+  EXPECT_EQ(filters[0], "SVG, DXF (*.svg *.SVG *.dxf *.DXF)");
+  EXPECT_TRUE(filters[1].endsWith("(*)"));
+  dialog->close();
 }
 
 TEST(OperationForm, TheFirstFieldHasTheFocusOfTheForm) {

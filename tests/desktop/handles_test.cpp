@@ -147,6 +147,15 @@ TEST(HandlePlan, ComesFromTheDescriptionOfAnyPlugin) {
   EXPECT_TRUE(plan.takes_wall);
 }
 
+/// As of `drill`: several places are typed or picked, one is dragged.
+TEST(HandlePlan, IsTheSameWithMorePlaces) {
+  auto several = burr_tool();
+  several.parameters.push_back(parameter("places", "More places", polyline, "m"));
+
+  EXPECT_THAT(kinds_of(plan_of(several)), ElementsAre(kind::place, kind::direction, kind::ring,
+                                                      kind::length, kind::ring, kind::length));
+}
+
 TEST(HandlePlan, TheNameSaysWhichWayALengthGrowsBeforeTheId) {
   ops::operation_description d;
   d.parameters = {parameter("depth", "Thickness", real, "m")};

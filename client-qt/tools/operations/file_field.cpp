@@ -4,13 +4,37 @@
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLineEdit>
+#include <QRegularExpression>
 #include <QToolButton>
 
 #include "base/attachment.hpp"
 
 namespace tedit::desktop {
 
-file_field::file_field(QWidget* parent) : QWidget(parent), path_(new QLineEdit) {
+namespace {
+
+/// "SVG, DXF (*.svg *.dxf)", and all files beside it; none where no ending is named. An ending that
+/// is more than letters and digits would say something else to the dialog.
+QStringList filters_of(const std::vector<std::string>& endings) {
+  QStringList names;
+  QStringList patterns;
+  for (const auto& ending : endings) {
+    const auto text = QString::fromStdString(ending);
+    static const QRegularExpression plain("^[A-Za-z0-9]{1,16}$");
+    if (!plain.match(text).hasMatch())
+      continue;
+    names << text.toUpper();
+    patterns << "*." + text << "*." + text.toUpper();
+  }
+  if (names.isEmpty())
+    return {};
+  return {names.join(", ") + " (" + patterns.join(' ') + ")", file_field::tr("All files (*)")};
+}
+
+}  // namespace
+
+file_field::file_field(const std::vector<std::string>& endings, QWidget* parent)
+    : QWidget(parent), path_(new QLineEdit), filters_(filters_of(endings)) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(path_);
@@ -43,6 +67,8 @@ void file_field::ask() {
   auto* dialog = new QFileDialog(window(), tr("Choose a file"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
+  if (!filters_.isEmpty())
+    dialog->setNameFilters(filters_);
   connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
     given_.clear();
     path_->setText(path);

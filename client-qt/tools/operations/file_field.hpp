@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <QStringList>
 #include <QWidget>
+#include <string>
+#include <vector>
 
 class QLineEdit;
 
@@ -14,7 +17,8 @@ class file_field : public QWidget {
   Q_OBJECT
 
 public:
-  explicit file_field(QWidget* parent = nullptr);
+  /// `endings`: of the files that the dialog shows first, "svg"; of all where there are none.
+  explicit file_field(const std::vector<std::string>& endings = {}, QWidget* parent = nullptr);
 
   /// The content as `base/attachment.hpp` writes it; empty where no path is given.
   [[nodiscard]] std::string content() const;
@@ -28,6 +32,7 @@ private:
   void ask();
 
   QLineEdit* path_;
+  QStringList filters_;
   std::string given_;  ///< By `set_content`; until another path is typed.
 };
 

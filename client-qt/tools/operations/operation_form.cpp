@@ -324,7 +324,7 @@ QWidget* operation_form::make_list(const ops::parameter_description& parameter) 
 }
 
 QWidget* operation_form::make_file(const ops::parameter_description& parameter) {
-  auto* field = new file_field;
+  auto* field = new file_field(parameter.choices);
   connect(field, &file_field::changed, this, &operation_form::changed);
   fields_[parameter.id] = {[field] { return ops::parameter_value(field->content()); },
                            [field](const ops::parameter_value& v) {

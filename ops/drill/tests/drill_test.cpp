@@ -116,5 +116,74 @@ TEST_F(Drill, BesideThePartThereIsNothingToDrill) {
   EXPECT_FALSE(result.error().remedy.empty());
 }
 
+class DrillPlaces : public Drill {
+protected:
+  /// Into the top of the plate, surface 6; through it where no depth is given.
+  expected<edit_result> holes(const std::string& places, const std::string& at = {},
+                              double depth = 0, double diameter = 0.1) {
+    const parameters values{{"places", places},
+                            {"at", at},
+                            {"direction", std::string()},
+                            {"diameter", diameter},
+                            {"depth", depth},
+                            {"thread", std::string("none")},
+                            {"tip_angle", 0.0},
+                            {"counterbore_diameter", 0.0},
+                            {"counterbore_depth", 0.0},
+                            {"countersink_diameter", 0.0},
+                            {"countersink_angle", 1.5}};
+    return drill_holes(plate_, {{6}}, values, ctx_);
+  }
+};
+
+/// Four bores that can be told from each other, each with its own wall.
+TEST_F(DrillPlaces, AllHolesAreOneEditAndHaveTheirOwnNames) {
+  const auto result = holes("0.2,0.2,0.2; 0.8,0.2,0.2; 0.8,0.8,0.2", "0.2,0.8,0.2");
+
+  ASSERT_TRUE(result) << render(result.error());
+  expect_good(plate_, *result);
+  EXPECT_NEAR(result->volume_change, -4 * 0.2 * polygon_area(0.1, 24), 1e-12);
+  for (const auto* name : {"bore", "bore 2", "bore 3", "bore 4"})
+    EXPECT_NEAR(area_of(*result->candidate, name), 0.2 * 24 * 0.1 * std::sin(std::numbers::pi / 24),
+                1e-12)
+      << name;
+  EXPECT_EQ(result->candidate->surfaces().size(), 10u);
+}
+
+/// Two that overlap, and a third apart: one after the other.
+TEST_F(DrillPlaces, HolesMayCutEachOther) {
+  const auto result = holes("0.3,0.3,0.2; 0.38,0.3,0.2; 0.7,0.7,0.2");
+
+  ASSERT_TRUE(result) << render(result.error());
+  expect_good(plate_, *result);
+  const double each = 0.2 * polygon_area(0.1, 24);
+  EXPECT_LT(-result->volume_change, 3 * each);
+  // What two circles have in common, 0.08 apart: between a circle and its 24 edges.
+  const double lens =
+    2 * 0.05 * 0.05 * std::acos(0.8) - 0.04 * std::sqrt(4 * 0.05 * 0.05 - 0.08 * 0.08);
+  EXPECT_NEAR(-result->volume_change, 3 * each - 0.2 * lens, 0.2 * 0.1 * lens);
+}
+
+TEST_F(DrillPlaces, WhereOneCannotBeNoneIsMadeAndItIsNamed) {
+  const auto beside = holes("0.2,0.2,0.2; 0.8,0.2,0.2; 3,0.8,0.2");
+  const auto within = holes("0.2,0.2,0.2; 0.201,0.2,0.2; 0.8,0.8,0.2", {}, 0.1);
+  const auto twice = holes("0.2,0.2,0.2; 0.8,0.2,0.2", "0.8,0.2,0.2");
+
+  ASSERT_FALSE(beside);
+  EXPECT_EQ(beside.error().code, ec::empty_selection);
+  EXPECT_THAT(beside.error().message, HasSubstr("place 3 of 3 (3000, 800, 200 mm): "));
+  EXPECT_FALSE(beside.error().remedy.empty());
+  ASSERT_TRUE(within) << render(within.error());  // A hair to the right is still a hole.
+  ASSERT_FALSE(twice);
+  EXPECT_THAT(twice.error().message, HasSubstr("places 1 and 3 are the same"));
+}
+
+TEST_F(DrillPlaces, AShapeThatIsNoneIsToldWithTheFirstPlace) {
+  const auto fine = holes("0.2,0.2,0.2; 0.8,0.2,0.2", {}, 0, 1e-5);
+
+  ASSERT_FALSE(fine);
+  EXPECT_THAT(fine.error().message, HasSubstr("place 1 of 2 (200, 200, 200 mm): "));
+}
+
 }  // namespace
 }  // namespace tedit::ops

@@ -125,12 +125,16 @@ TEST(SvgOutlines, WhatIsNoPictureIsSaid) {
 
 class Logo : public test::tool_edits {
 protected:
+  static outline_file logo(const std::string& body) {
+    return *outline_file::read(picture(body), 1);
+  }
+
   version_ptr plate_ = test::box_mesh({10, 10, 2}, {1, 1, 0.2});
 };
 
 TEST_F(Logo, ARingIsRaisedWithItsHole) {
   emboss_text what;
-  what.logo = picture(R"(<path d="M0 0H8V8H0Z M2 2H6V6H2Z"/>)");
+  what.logo = logo(R"(<path d="M0 0H8V8H0Z M2 2H6V6H2Z"/>)");
   what.letter_height = 0.4;
   what.height = 0.05;
   what.up = {0, 1, 0};
@@ -150,7 +154,7 @@ TEST_F(Logo, AroundACylinderItIsAPieceOfARing) {
   for (const bool bore : {false, true}) {
     const double r = bore ? shape.inner : shape.outer;
     emboss_text what;
-    what.logo = picture(R"(<rect width="8" height="4"/>)");
+    what.logo = logo(R"(<rect width="8" height="4"/>)");
     what.letter_height = r / 2;  // Along the circle: half a radian.
     what.height = 0.1 * r;
     what.up = {0, 0, 1};
@@ -171,7 +175,7 @@ TEST_F(Logo, OrItStandsStraightOnIt) {
   const test::tube shape{.sides = 64, .rings = 8, .layers = 8};
   const auto tube = test::tube_mesh(shape);
   emboss_text what;
-  what.logo = picture(R"(<rect width="8" height="4"/>)");
+  what.logo = logo(R"(<rect width="8" height="4"/>)");
   what.letter_height = 1;
   what.height = 0.1;
   what.up = {0, 0, 1};

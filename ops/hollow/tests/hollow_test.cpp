@@ -9,6 +9,7 @@
 #include "ops/shapes/isosurface/isosurface.hpp"
 #include "tests/support/meshes.hpp"
 #include "tests/support/tool_edits.hpp"
+#include "tests/support/two_regions.hpp"
 
 namespace tedit::ops {
 namespace {
@@ -126,6 +127,97 @@ TEST_F(Hollow, WhatIsThinnerThanTwoWallsIsRefused) {
 
   ASSERT_FALSE(result);
   EXPECT_THAT(result.error().message, HasSubstr("thicker than twice 510 mm"));
+}
+
+/// Two cubes of 0.5 m side by side.
+class HollowRegion : public test::tool_edits {
+protected:
+  expected<edit_result> run(const std::vector<surface_id>& picked, const std::string& region) {
+    const auto settings = hollow_settings_of(*part_, picked,
+                                             {{"thickness", 0.1},
+                                              {"drain_diameter", 0.0},
+                                              {"drain_points", std::string()},
+                                              {"region", region}});
+    if (!settings)
+      return fail(settings.error());
+    return hollow(part_, picked, *settings, ctx_);
+  }
+
+  /// Region 4 and what lies between both are as they were, region 90 lacks so much.
+  void expect_taken_from_90(const expected<edit_result>& result, double volume) {
+    ASSERT_TRUE(result) << render(result.error());
+    expect_good(part_, *result);
+    const auto& after = *result->candidate;
+    EXPECT_NEAR(test::region_volume(after, 4), 0.125, 1e-12);
+    EXPECT_NEAR(test::region_volume(after, 90), 0.125 - volume, 1e-9);
+    EXPECT_NEAR(test::interface_area(after), 0.25, 1e-12);
+    EXPECT_NEAR(result->volume_change, -volume, 1e-9);
+  }
+
+  version_ptr part_ = test::two_regions(2);
+};
+
+TEST_F(HollowRegion, OneOfTwoBecomesAShellUpToTheOther) {
+  expect_taken_from_90(run({}, "90"), 0.3 * 0.3 * 0.3);
+}
+
+/// The wall at x = 1 m is of region 90 alone; the top belongs to both, and is open where it is
+/// of 90.
+TEST_F(HollowRegion, WallsOfItAreOpenAndSayWhichIsMeant) {
+  expect_taken_from_90(run({2}, {}), 0.4 * 0.3 * 0.3);
+  expect_taken_from_90(run({6}, "90"), 0.3 * 0.3 * 0.4);
+}
+
+TEST_F(HollowRegion, WhichIsMeantHasToBeSaid) {
+  const auto said = [&](const std::vector<surface_id>& picked, const std::string& region) {
+    const auto made = run(picked, region);
+    return made ? "accepted" : render(made.error());
+  };
+  EXPECT_THAT(said({}, ""), HasSubstr("which is to be hollow is not said"));
+  EXPECT_THAT(said({}, ""), HasSubstr("4"));
+  EXPECT_THAT(said({6}, ""), HasSubstr("surface 6"));
+  EXPECT_THAT(said({1, 2}, ""), HasSubstr("surface 2"));
+  EXPECT_THAT(said({77}, "90"), HasSubstr("surface 77"));
+  EXPECT_THAT(said({}, "steel"), HasSubstr("no region \"steel\""));
+}
+
+class HollowDrains : public test::tool_edits {
+protected:
+  expected<edit_result> run(const std::string& points, double diameter,
+                            const std::vector<surface_id>& picked = {}) {
+    const auto settings = hollow_settings_of(*cube_, picked,
+                                             {{"thickness", 0.2},
+                                              {"drain_diameter", diameter},
+                                              {"drain_points", points},
+                                              {"region", std::string()}});
+    if (!settings)
+      return fail(settings.error());
+    return hollow(cube_, picked, *settings, ctx_);
+  }
+
+  version_ptr cube_ = test::box_mesh({8, 8, 8}, {1, 1, 1});
+};
+
+/// A prism of 24 sides through a wall of 0.2 m for each, one of them given 30 mm above its wall.
+TEST_F(HollowDrains, AreWhereTheyAreWanted) {
+  const auto result = run("0.3,0.3,1.03; 1,0.6,0.5", 0.16);
+
+  ASSERT_TRUE(result) << render(result.error());
+  expect_good(cube_, *result);
+  const double drain = 0.2 * 12 * 0.08 * 0.08 * std::sin(std::numbers::pi / 12);
+  EXPECT_NEAR(result->volume_change, -0.6 * 0.6 * 0.6 - 2 * drain, 1e-9);
+  EXPECT_EQ(result->bodies_added, 0u);
+}
+
+TEST_F(HollowDrains, OneThatCannotBeIsToldWithItsPlace) {
+  const auto corner = run("0.3,0.3,1; 0.01,0.01,1", 0.1);
+  const auto off = run("0.3,0.3,1.5", 0.1);
+
+  ASSERT_FALSE(corner);
+  EXPECT_THAT(corner.error().message, HasSubstr("drain 2 (10, 10, 1000 mm): behind"));
+  ASSERT_FALSE(off);
+  EXPECT_THAT(off.error().message, HasSubstr("no wall within 100 mm"));
+  EXPECT_THAT(run("0.3,0.3,1", 0).error().message, HasSubstr("no diameter"));
 }
 
 }  // namespace

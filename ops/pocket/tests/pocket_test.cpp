@@ -137,5 +137,25 @@ TEST_F(Pocket, ASlotIsLongerThanWide) {
   EXPECT_EQ(result.error().code, ec::invalid_parameter);
 }
 
+TEST_F(Pocket, SeveralAreMadeAtOnceOrNone) {
+  const parameters small{{"size", 0.1}, {"width", 0.1}, {"height", 0.1}};
+  auto given = small;
+  given["places"] = std::string("0.2, 0.2, 0.2; 0.8, 0.8, 0.2; 0.2, 0.8, 0.2");
+  const auto result = cut(given);
+
+  ASSERT_TRUE(result) << render(result.error());
+  expect_good(plate_, *result);
+  EXPECT_NEAR(result->volume_change, -3 * 0.1 * 0.1 * 0.1, 1e-12);
+  EXPECT_NEAR(area_of(*result->candidate, "pocket bottom 3"), 0.1 * 0.1, 1e-12);
+
+  given["places"] = std::string("0.2, 0.2, 0.2; 0.8, 5, 0.2");
+  const auto beside = cut(given);
+  ASSERT_FALSE(beside);
+  EXPECT_THAT(beside.error().message, ::testing::HasSubstr("place 2 of 2 (800, 5000, 200 mm): "));
+  given["profile"] = std::string("points");
+  given["points"] = std::string("0.2, 0.2, 0.2; 0.4, 0.2, 0.2; 0.4, 0.4, 0.2");
+  EXPECT_THAT(cut(given).error().message, ::testing::HasSubstr("is in one place"));
+}
+
 }  // namespace
 }  // namespace tedit::ops

@@ -12,42 +12,15 @@ namespace tedit::ops {
 
 namespace {
 
-using plane_point = std::array<double, 2>;
+using plane_point = point2;
 
 constexpr double most_corners = 1000;
-
-double turn(const plane_point& a, const plane_point& b, const plane_point& c) {
-  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-}
-
-/// Whether two edges without a common end meet.
-bool edges_meet(const plane_point& a, const plane_point& b, const plane_point& c,
-                const plane_point& d) {
-  const auto between = [](double x, double u, double v) {
-    return x >= std::min(u, v) && x <= std::max(u, v);
-  };
-  const bool apart =
-    std::max(a[0], b[0]) < std::min(c[0], d[0]) || std::max(c[0], d[0]) < std::min(a[0], b[0]) ||
-    std::max(a[1], b[1]) < std::min(c[1], d[1]) || std::max(c[1], d[1]) < std::min(a[1], b[1]);
-  return !apart && between(0, turn(a, b, c), turn(a, b, d)) &&
-         between(0, turn(c, d, a), turn(c, d, b));
-}
 
 double enclosed_area(const std::vector<plane_point>& points) {
   double twice = 0;
   for (std::size_t i = 0; i < points.size(); ++i)
-    twice += turn({0, 0}, points[i], points[(i + 1) % points.size()]);
+    twice += turn_of({0, 0}, points[i], points[(i + 1) % points.size()]);
   return twice / 2;
-}
-
-/// The distance of the two nearest ends of an edge.
-double shortest_edge(const std::vector<plane_point>& points) {
-  double least = largest_number;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto& next = points[(i + 1) % points.size()];
-    least = std::min(least, std::hypot(next[0] - points[i][0], next[1] - points[i][1]));
-  }
-  return least;
 }
 
 expected<void> check_outline(const std::vector<plane_point>& points) {
@@ -83,6 +56,28 @@ std::string point_text(vec3 p) {
   return text.data();
 }
 
+/// What a file draws, on the place; a drawing has its own size.
+expected<placed_profile> by_file(const mesh_version& mesh, const selection& picked,
+                                 const parameters& values, double longest) {
+  const auto file = outline_file_of(values);
+  if (!file)
+    return fail(file.error());
+  auto sized = values;
+  sized["size"] = file->longer_side(std::get<double>(values.at("size")));
+  const double side = std::get<double>(sized.at("size"));
+  const auto where = placement_of(mesh, picked, sized, "direction", side);
+  if (!where)
+    return fail(where.error());
+  const double size = std::min(profile_size(*where, sized), longest);
+  auto shape = file->outlines(side, size);
+  if (!shape)
+    return fail(std::move(shape.error()));
+  if (auto ok = check_drawn_edges(*file, *shape, *where); !ok)
+    return fail(ok.error());
+  return placed_profile{*where, profile_frame(*where, values), std::move(*shape), size,
+                        file->notices()};
+}
+
 expected<placed_profile> by_points(const mesh_version& mesh, const selection& picked,
                                    const parameters& values, const std::vector<vec3>& points,
                                    double longest) {
@@ -96,7 +91,7 @@ expected<placed_profile> by_points(const mesh_version& mesh, const selection& pi
   const auto where = placement_of(mesh, picked, with_place, "direction", 2 * reach);
   if (!where)
     return fail(where.error());
-  placed_profile result{*where, {}, {}, 0};
+  placed_profile result{*where, {}, {}, 0, {}};
   const vec3 off = middle - where->at;
   result.where.at = where->at + off - dot(off, where->outward) * where->outward;
   result.place = profile_frame(result.where, values);
@@ -147,15 +142,46 @@ expected<placed_profile> placed_profile_of(const mesh_version& mesh, const selec
                 "Set profile=points, or leave the points out");
   if (wanted)
     return by_points(mesh, picked, values, points, longest);
+  if (std::get<std::string>(values.at("profile")) == "file")
+    return by_file(mesh, picked, values, longest);
   const auto where =
     placement_of(mesh, picked, values, "direction", std::get<double>(values.at("size")));
   if (!where)
     return fail(where.error());
   const double size = std::min(profile_size(*where, values), longest);
-  auto shape = profile_or_file(values, size);
+  auto shape = profile_from(values, size);
   if (!shape)
     return fail(std::move(shape.error()));
-  return placed_profile{*where, profile_frame(*where, values), std::move(*shape), size};
+  return placed_profile{*where, profile_frame(*where, values), std::move(*shape), size, {}};
+}
+
+expected<edit_result> apply_profile(const version_ptr& mesh, const selection& picked,
+                                    const parameters& values, const profile_tool& how,
+                                    context& ctx) {
+  const bool places = values.contains("places") && !points_of(values, "places").empty();
+  if (places && std::get<std::string>(values.at("profile")) == "points")
+    return fail(ec::invalid_parameter,
+                "an outline by its points is in one place, and more are given",
+                "Leave the places out, or take another profile");
+  std::vector<std::string> notices;
+  auto tools = tools_at_places(values, [&](const parameters& here) -> expected<placed_tool> {
+    const auto what = placed_profile_of(*mesh, picked, here, how.longest);
+    if (!what)
+      return fail(what.error());
+    const double radius = radius_of(what->shape);
+    const auto span = how.span(*what, radius);
+    if (auto ok = check_fineness(what->where, what->size, span.to - span.from + 2 * radius); !ok)
+      return fail(ok.error());
+    auto tool =
+      extrude(what->place, what->shape, span.from, span.to, what->size, how.name, *ctx.host);
+    if (!tool)
+      return fail(tool.error());
+    notices = what->notices;
+    return placed_tool{std::move(*tool), what->where.at, what->where.size};
+  });
+  if (!tools)
+    return fail(tools.error());
+  return with_notices(apply_tools(mesh, std::move(*tools), how.mode, as_set(picked), ctx), notices);
 }
 
 }  // namespace tedit::ops

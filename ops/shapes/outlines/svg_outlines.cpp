@@ -18,25 +18,6 @@ namespace {
 constexpr int most_depth = 64;
 constexpr std::size_t most_edges = 20'000;
 
-/// (x, y) goes to (a x + c y + e, b x + d y + f), as SVG has it.
-struct affine {
-  double a = 1, b = 0, c = 0, d = 1, e = 0, f = 0;
-
-  [[nodiscard]] point2 operator()(point2 p) const {
-    return {a * p[0] + c * p[1] + e, b * p[0] + d * p[1] + f};
-  }
-  /// First `inner`, then this.
-  [[nodiscard]] affine of(const affine& inner) const {
-    const auto origin = (*this)({inner.e, inner.f});
-    return {a * inner.a + c * inner.b,
-            b * inner.a + d * inner.b,
-            a * inner.c + c * inner.d,
-            b * inner.c + d * inner.d,
-            origin[0],
-            origin[1]};
-  }
-};
-
 std::vector<double> numbers_in(std::string_view text) {
   std::vector<double> result;
   while (true) {
@@ -186,10 +167,6 @@ point2 on_curve(point2 from, const curve_piece& p, double t) {
   return result;
 }
 
-double gap_of(point2 a, point2 b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1]);
-}
-
 /// In edges of about that length; equal neighbours are one.
 std::vector<point2> flattened(const curved_outline& outline, double edge) {
   std::vector<point2> points{outline.start};
@@ -285,41 +262,11 @@ expected<profile> svg_outlines(const attachment& file, double size, double edge)
   const auto read = document.load_buffer(file.bytes.data(), file.bytes.size());
   const auto root = document.document_element();
   if (!read || std::string_view(root.name()) != "svg")
-    return fail(ec::bad_input, file.name + " is no SVG picture", "Give a file that ends in .svg");
+    return fail(ec::bad_input, file.name + " is no SVG picture and no DXF drawing",
+                "Give a file that ends in .svg or .dxf");
   std::vector<curved_outline> all;
   collect(root, {}, true, 0, all);
   return as_profile(file, std::move(all), size, edge);
-}
-
-expected<profile> profile_or_file(const parameters& values, double size) {
-  if (std::get<std::string>(values.at("profile")) != "file")
-    return profile_from(values, size);
-  const auto& text = std::get<std::string>(values.at("file"));
-  if (text.empty())
-    return fail(ec::invalid_parameter, "the profile is to come from a file, and none was given",
-                "Choose one: file=PATH");
-  const auto file = read_attachment(text);
-  if (!file)
-    return fail(file.error());
-  return svg_outlines(*file, std::get<double>(values.at("size")), size);
-}
-
-std::vector<parameter_description> profiles_with_file() {
-  auto list = profile_parameters();
-  list.front().choices.emplace_back("file");
-  list[1].help = "The circle's and the polygon's diameter, the longer side of all others.";
-  list.push_back(outline_file_parameter("For the profile \"file\": the filled shapes of an SVG."));
-  return list;
-}
-
-parameter_description outline_file_parameter(const std::string& help) {
-  parameter_description p;
-  p.id = "file";
-  p.name = "File";
-  p.help = help;
-  p.type = parameter_type::file;
-  p.default_value = std::string();
-  return p;
 }
 
 }  // namespace tedit::ops

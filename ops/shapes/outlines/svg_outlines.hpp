@@ -14,14 +14,4 @@ namespace tedit::ops {
 /// 20,000 edges.
 [[nodiscard]] expected<profile> svg_outlines(const attachment& file, double size, double edge);
 
-/// Of the parameters "profile" and "file": what `profile_from` gives, or with the profile "file"
-/// the outlines in the file. Errors: those of both, `invalid_parameter` where no file is given.
-[[nodiscard]] expected<profile> profile_or_file(const parameters& values, double size);
-
-/// The parameter "file" for such a picture.
-[[nodiscard]] parameter_description outline_file_parameter(const std::string& help);
-
-/// `profile_parameters` with the profile "file" and that parameter.
-[[nodiscard]] std::vector<parameter_description> profiles_with_file();
-
 }  // namespace tedit::ops

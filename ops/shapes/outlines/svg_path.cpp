@@ -2,6 +2,7 @@
 #include "ops/shapes/outlines/svg_path.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <numbers>

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <string_view>
 #include <vector>
 
-namespace tedit::ops {
+#include "ops/shapes/outlines/plane.hpp"
 
-using point2 = std::array<double, 2>;
+namespace tedit::ops {
 
 /// A piece of an outline: a cubic Bezier curve from the end of the one before; straight where both
 /// control points are its ends.
