@@ -12,7 +12,7 @@
 #include "mesh/checks.hpp"
 #include "mesh/level_set_freedom.hpp"
 #include "mesh/level_set_tidy.hpp"
-#include "tests/support/meshes.hpp"
+#include "tests/support/bonded_boxes.hpp"
 
 namespace tedit {
 namespace {
@@ -51,27 +51,8 @@ void expect_same_part(const mesh_version& before, const mesh_version& after) {
     RC_ASSERT(std::abs(new_areas.at(id) - area) <= 1e-12 * area);
 }
 
-/// A box of two regions, x < 1 and x > 1, with interface surface 9 between them.
 version_ptr two_regions() {
-  const auto plain = test::box_mesh({2, 2, 2}, {2, 2, 2});
-  raw_mesh raw;
-  for (vertex_id v = 0; v < plain->vertex_slots(); ++v)
-    raw.positions.push_back(plain->position(v));
-  for (const auto t : test::all_tets(*plain)) {
-    raw.tets.push_back(plain->tet_at(t));
-    const auto c = plain->corners(t);
-    const bool left = c[0].x + c[1].x + c[2].x + c[3].x < 4;
-    raw.tet_regions.push_back(left ? 1 : 2);
-    for (int i = 0; left && i < 4; ++i) {
-      const auto& order = tet_faces[i];
-      const auto& v = plain->tet_at(t).v;
-      if (c[order[0]].x == 1 && c[order[1]].x == 1 && c[order[2]].x == 1)
-        raw.triangles.push_back({{v[order[0]], v[order[1]], v[order[2]]}, 9, true});
-    }
-  }
-  for (facet_id f = 0; f < plain->facet_slots(); ++f)
-    raw.triangles.push_back({plain->facet(f).v, plain->facet(f).surface, true});
-  return build_version(std::move(raw), 1)->version;
+  return test::bonded_boxes({2, 2, 2}, {2, 2, 2});
 }
 
 double interface_area(const mesh_version& mesh) {

@@ -7,41 +7,21 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "mesh/build_version.hpp"
 #include "mesh/checks.hpp"
 #include "ops/boolean/boolean.hpp"
 #include "ops/services/host_services.hpp"
 #include "ops/tools/tools.hpp"
-#include "tests/support/meshes.hpp"
+#include "tests/support/bonded_boxes.hpp"
 
 namespace tedit::ops {
 namespace {
 
 using ::testing::HasSubstr;
 
-constexpr surface_id bond = 9;
+using test::bond;
 
-/// A box of 2 x 1 x 1 with regions 1 and 2, and surface 9 between them unless `nameless`.
-version_ptr two_regions(bool nameless = false) {
-  const auto plain = test::box_mesh({12, 6, 6}, {2, 1, 1});
-  raw_mesh raw;
-  for (vertex_id v = 0; v < plain->vertex_slots(); ++v)
-    raw.positions.push_back(plain->position(v));
-  for (const auto t : test::all_tets(*plain)) {
-    raw.tets.push_back(plain->tet_at(t));
-    const auto c = plain->corners(t);
-    const bool left = c[0].x + c[1].x + c[2].x + c[3].x < 4;
-    raw.tet_regions.push_back(left ? 1 : 2);
-    for (int i = 0; !nameless && left && i < 4; ++i) {
-      const auto& order = tet_faces[i];
-      const auto& v = plain->tet_at(t).v;
-      if (c[order[0]].x == 1 && c[order[1]].x == 1 && c[order[2]].x == 1)
-        raw.triangles.push_back({{v[order[0]], v[order[1]], v[order[2]]}, bond, true});
-    }
-  }
-  for (facet_id f = 0; f < plain->facet_slots(); ++f)
-    raw.triangles.push_back({plain->facet(f).v, plain->facet(f).surface, true});
-  return build_version(std::move(raw), 1)->version;
+version_ptr two_regions(bool named = true) {
+  return test::bonded_boxes({12, 6, 6}, {2, 1, 1}, named);
 }
 
 double volume_of(const mesh_version& mesh, region_id region) {
@@ -159,11 +139,8 @@ TEST_F(Bonded, AnAdditionIsPartOfTheOneThatMostOfItStandsOn) {
 }
 
 TEST_F(Bonded, AnAdditionIsBondedToTheOtherOne) {
-  const auto block = two_regions();
-  const auto top = block->surfaces();
-
   const auto added =
-    host_->boolean(block, brick({0.5, 0.3, 0.9}, {0.7, 0.4, 0.3}), {boolean_mode::add, 0}, {});
+    host_->boolean(block_, brick({0.5, 0.3, 0.9}, {0.7, 0.4, 0.3}), {boolean_mode::add, 0}, {});
 
   ASSERT_TRUE(added) << render(added.error());
   const auto& mesh = *added->candidate;
@@ -180,14 +157,14 @@ TEST_F(Bonded, AnAdditionIsBondedToTheOtherOne) {
 
 TEST_F(Bonded, AnInterfaceWithoutAnIdStaysBondedToo) {
   const auto cut =
-    made(two_regions(true), rod({-1, 0.5, 0.5}, {1, 0, 0}, 0.2, 4), boolean_mode::cut);
+    made(two_regions(false), rod({-1, 0.5, 0.5}, {1, 0, 0}, 0.2, 4), boolean_mode::cut);
 
   EXPECT_NEAR(volume_of(*cut, 1), 1 - circle_area(0.2), 1e-12);
   EXPECT_NEAR(volume_of(*cut, 2), 1 - circle_area(0.2), 1e-12);
 }
 
 TEST_F(Bonded, AnInterfaceWithoutAnIdCannotBecomeAWall) {
-  const auto result = host_->boolean(two_regions(true), brick({0.6, 0.3, 0.5}, {0.4, 0.4, 1}),
+  const auto result = host_->boolean(two_regions(false), brick({0.6, 0.3, 0.5}, {0.4, 0.4, 1}),
                                      {boolean_mode::cut, 0}, {});
 
   ASSERT_FALSE(result);
