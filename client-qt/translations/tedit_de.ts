@@ -10317,6 +10317,18 @@
         <source>there is no wall within %1 mm of it</source>
         <translation>innerhalb von %1 mm davon ist keine Wand</translation>
     </message>
+    <message>
+        <source>%1 places that overlap others are more than the 30 that one edit makes</source>
+        <translation>%1 Orte, die andere überlappen, sind mehr als die 30, die eine Bearbeitung macht</translation>
+    </message>
+    <message>
+        <source>Give fewer, or further apart</source>
+        <translation>Weniger angeben, oder weiter auseinander</translation>
+    </message>
+    <message>
+        <source>it is beside the part</source>
+        <translation>er liegt neben dem Teil</translation>
+    </message>
 </context>
 <context>
     <name>server_lists</name>

@@ -14,6 +14,8 @@ namespace {
 
 constexpr double most_places = 200;
 constexpr double nearest_places = 1e-9;  // m: less than any mesh has.
+/// Made one after the other: more take longer than a person waits.
+constexpr std::size_t most_overlapping = 30;
 /// Of one boolean.
 constexpr std::size_t most_triangles = 4000;
 
@@ -49,6 +51,8 @@ public:
       : base_(mesh), tools_(tools), mode_(mode), ctx_(ctx), now_(mesh) {}
 
   expected<edit_result> run(const std::vector<surface_id>& used) {
+    if (auto ok = check_boxes(); !ok)
+      return fail(ok.error());
     for (std::size_t first = 0; first < tools_.size();) {
       const auto last = first + apart_from(first);
       if (last - first == 1 || !make(first, last)) {
@@ -62,6 +66,31 @@ public:
   }
 
 private:
+  /// What can be told before anything is made.
+  [[nodiscard]] expected<void> check_boxes() const {
+    const auto part = extent_of(*base_);
+    std::vector<box> boxes;
+    for (std::size_t i = 0; i < tools_.size(); ++i) {
+      boxes.push_back(box_of(tools_[i].tool));
+      if (!boxes.back().meets(part))
+        return fail(at_place({ec::empty_selection, "it is beside the part", "Choose another place"},
+                             i + 1, tools_.size(), tools_[i].at));
+    }
+    std::size_t overlapping = 0;
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+      for (std::size_t k = 0; k < i; ++k)
+        if (boxes[i].meets(boxes[k])) {
+          ++overlapping;
+          break;
+        }
+    if (overlapping > most_overlapping)
+      return fail(ec::invalid_parameter,
+                  std::to_string(overlapping) +
+                    " places that overlap others are more than the 30 that one edit makes",
+                  "Give fewer, or further apart");
+    return {};
+  }
+
   /// How many from there on are apart from each other and not too many for one boolean.
   [[nodiscard]] std::size_t apart_from(std::size_t first) const {
     std::vector<box> taken;
