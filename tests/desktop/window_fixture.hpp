@@ -33,8 +33,8 @@ protected:
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, state.path());
     QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, state.path());
     window = std::make_unique<main_window>(state.path());
-    // Where a preview took long nobody asks for the next by himself, and the tests would wait for it
-    // on a machine that has much else to do.
+    // Where a preview took long nobody asks for the next by himself, and the tests would wait for
+    // it on a machine that has much else to do.
     window->tools().operations.panel().preview().set_slow_ms(1e9);
     window->resize(1200, 800);
     window->show();
