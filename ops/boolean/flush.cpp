@@ -226,9 +226,7 @@ flush_tool make_flush(const mesh_version& mesh, const tool_surface& tool, boolea
                          is_clear(mesh, near, tool, face, *at, tolerance, layer);
     if (layered)
       add_layer(result.tool, face, layer * at->normal);
-    // Where the layer begins two regions would else be a rounding error apart.
-    if (layered && mesh.regions().size() < 2)
-      continue;
+    // Where the layer begins, too, points that lie a rounding error apart would stay two.
     flush_face row{side.exact.normal, side.exact.offset, {}, {}};
     row.part.assign(side.corners.begin(), side.corners.end());
     std::set<std::uint32_t> points;

@@ -207,5 +207,20 @@ TEST_F(Identities, RibsApartAreTheSameInAnyOrder) {
   EXPECT_NEAR(total_volume(*one), total_volume(*bracket) + both, 0.2 * both);
 }
 
+/// Corners of the drawing's round holes came to lie beside the wall by a rounding error, and what
+/// the mesher was given passed through itself.
+TEST_F(Identities, APlateOfADrawingIsTheSameOnAnyWall) {
+  const auto cube = part("inch_block");
+  const parameters plate{{"profile", std::string("file")},
+                         {"file", *attach_file(TEDIT_TEST_DATA "/drawings/plate_r12.dxf")},
+                         {"scale", 0.5},
+                         {"height_mm", 3.0}};
+
+  for (const surface_id wall : {2, 4})
+    EXPECT_NEAR(total_volume(*after(cube, "boss", plate, {wall})) - total_volume(*cube),
+                669.28 * mm3, 0.01 * mm3)
+      << wall;
+}
+
 }  // namespace
 }  // namespace tedit::ops
