@@ -52,9 +52,8 @@ struct labelled_surface {
 [[nodiscard]] double deviation_of(const surface_mesh& before, const surface_mesh& after);
 
 /// The cavity's tets and those that go are replaced by a filling of the surface, each region by its
-/// own. Returns the new
-/// tets, and the surface that each face of the tool became, if any of it is left. Errors: those of
-/// the mesher.
+/// own. Returns the new tets, and the surface that each face of the tool became, if any of it is
+/// left. Errors: those of the mesher.
 struct replaced {
   std::vector<tet_id> tets;
   std::vector<std::optional<surface_id>> surfaces;  ///< By face of the tool.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "mesh/changes.hpp"
 #include "mesh/distances.hpp"
@@ -98,7 +99,6 @@ box extent_of(const mesh_version& mesh) {
 
 std::vector<tet_id> changed_tets(const mesh_version& before, const mesh_version& after) {
   std::vector<tet_id> result;
-  // Vertices of tets that stay do not move: a slot that was used again has new tets all around.
   for_each_dirty_slot(before.data().tets, after.data().tets, [&](tet_id t) {
     if (t >= after.tet_slots() || !after.is_live_tet(t))
       return;
@@ -110,6 +110,16 @@ std::vector<tet_id> changed_tets(const mesh_version& before, const mesh_version&
     if (t >= before.tet_slots() || !(before.tet_at(t) == after.tet_at(t)) || !same_corners())
       result.push_back(t);
   });
+  // Improvement moves vertices of tets that stay, too, whose own pages are as they were.
+  std::vector<vertex_id> moved;
+  for_each_dirty_slot(before.data().positions, after.data().positions, [&](vertex_id v) {
+    if (v < before.vertex_slots() && v < after.vertex_slots() && before.is_live_vertex(v) &&
+        after.is_live_vertex(v) && before.position(v) != after.position(v))
+      moved.push_back(v);
+  });
+  std::ranges::copy(tets_around(after, moved), std::back_inserter(result));
+  std::ranges::sort(result);
+  result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;
 }
 

@@ -20,7 +20,7 @@ namespace tedit::ops {
 [[nodiscard]] box extent_of(const mesh_version& mesh);
 
 /// The live tets of `after` that are not those of `before`, or have another place for a corner:
-/// what several booleans have touched together. Cost: O(slots of pages that differ).
+/// what several booleans have touched together, ascending. Cost: O(slots of pages that differ).
 [[nodiscard]] std::vector<tet_id> changed_tets(const mesh_version& before,
                                                const mesh_version& after);
 

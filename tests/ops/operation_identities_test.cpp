@@ -207,6 +207,17 @@ TEST_F(Identities, RibsApartAreTheSameInAnyOrder) {
   EXPECT_NEAR(total_volume(*one), total_volume(*bracket) + both, 0.2 * both);
 }
 
+/// Improvement moved vertices of tets that stay as they are otherwise: those are touched, too.
+TEST_F(Identities, HolesAtSeveralPlacesTellAllThatTheyTouch) {
+  const auto plate = part("ctc01_plate");
+  const parameters holes{
+    {"diameter_mm", 10.0}, {"depth_mm", 8.0}, {"places_mm", std::string("60,0,0; 100,0,0")}};
+
+  const auto drilled = after(plate, "drill", holes, {98});
+
+  EXPECT_LT(total_volume(*drilled), total_volume(*plate) - 2 * 600 * mm3);
+}
+
 /// Corners of the drawing's round holes came to lie beside the wall by a rounding error, and what
 /// the mesher was given passed through itself.
 TEST_F(Identities, APlateOfADrawingIsTheSameOnAnyWall) {
