@@ -23,11 +23,11 @@ using detach_atom = caf::atom_constant<caf::atom("detach")>;
 using fetch_atom = caf::atom_constant<caf::atom("fetch")>;
 using get_atom = caf::atom_constant<caf::atom("get")>;
 using existing_atom = caf::atom_constant<caf::atom("existing")>;
-using held_atom = caf::atom_constant<caf::atom("held")>;
 using end_atom = caf::atom_constant<caf::atom("end")>;
 using end_solve_atom = caf::atom_constant<caf::atom("endsolve")>;
 using list_atom = caf::atom_constant<caf::atom("list")>;
 using load_atom = caf::atom_constant<caf::atom("load")>;
+using rate_atom = caf::atom_constant<caf::atom("rate")>;
 using rename_atom = caf::atom_constant<caf::atom("rename")>;
 using rest_atom = caf::atom_constant<caf::atom("rest")>;
 using status_atom = caf::atom_constant<caf::atom("status")>;
@@ -42,7 +42,9 @@ using page_store_actor = caf::typed_actor<
   // missing one.
   caf::replies_to<get_atom, hash_list, bool>::with<page_batch>,
   // Pulls what this node lacks from another store, under a credit, and holds all that was named.
-  caf::replies_to<fetch_atom, caf::actor, hash_list>::with<page_set>>;
+  caf::replies_to<fetch_atom, caf::actor, hash_list>::with<page_set>,
+  // Bytes a second that came from another store; 0: not known.
+  caf::replies_to<rate_atom, caf::actor>::with<double>>;
 
 // -- workers: each may die at any time; its pool does the work again ----------------------
 
@@ -199,8 +201,8 @@ using session_actor = caf::typed_actor<
   caf::replies_to<delete_atom, caf::actor>::with<acknowledged>,
   // Who has the document open, and what it holds.
   caf::replies_to<status_atom>::with<session_status>,
-  // The result of the head that is at hand.
-  caf::replies_to<held_atom>::with<held_result>,
+  // Notes what somebody watches; answered by the result of the head with that, if it is at hand.
+  caf::replies_to<watch_request>::with<held_result>,
   // Solves the head, and from then on every new head.
   caf::replies_to<solve_request>::with<solved>,
   // Ends the solve that runs, whoever asked for it; later heads are solved as before.

@@ -5,6 +5,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <variant>
@@ -286,6 +287,13 @@ struct solved {
   std::uint64_t number = 0;  ///< Of the solve: no two of a server have one.
 };
 
+/// Which arrays (`fem::result_arrays`) a subscriber wants of each result, beside those that all
+/// get, instead of what it said before.
+struct watch_request {
+  caf::actor subscriber;
+  std::set<std::string, std::less<>> arrays;
+};
+
 /// The result of the head as it is held, when it is; `solving`: it is on its way.
 struct held_result {
   std::optional<solved> result;
@@ -457,6 +465,7 @@ CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::participant_changed)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::cad_known)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::document_renamed)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::held_result)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::watch_request)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::solve_note)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::solved)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::request_progress)

@@ -253,6 +253,7 @@ expected<solve_outcome> client::solve_cases(const solve_settings& settings, cons
   solve->mutable_load_cases()->Assign(settings.load_cases.begin(), settings.load_cases.end());
   solve->set_all_load_cases(settings.all_load_cases);
   solve->set_energy_tolerance(settings.energy_tolerance);
+  solve->set_held_solve(settings.held_solve);
   impl_->link.arrivals().forget_fields();
   const auto got = impl_->ask(std::move(request), body::kSolved, run);
   if (!got)

@@ -139,9 +139,11 @@ public:
 
   /// What every field event and section has from now on beside the usual; until the document is
   /// opened again. The fields of the head come again with it; when they cannot, the result says
-  /// why, else it is empty. Fields that arrived before the call are forgotten. Errors:
+  /// why, else it is empty. Fields that arrived before the call are forgotten. Nothing comes where
+  /// the head's last solve is `held_solve`, of which the caller has all that. Errors:
   /// `invalid_argument` for a name that is none, naming those that there are.
-  [[nodiscard]] expected<std::string> watch_fields(const watched_quantities& wanted);
+  [[nodiscard]] expected<std::string> watch_fields(const watched_quantities& wanted,
+                                                   std::uint64_t held_solve = 0);
 
   /// Applies an operation to the head and returns once the new version is durable. When
   /// `expected_version` is given and not the head, the edit is refused (`conflict`); with

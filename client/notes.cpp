@@ -79,7 +79,8 @@ expected<void> client::rename_document(const std::string& name, const std::strin
   return {};
 }
 
-expected<std::string> client::watch_fields(const watched_quantities& wanted) {
+expected<std::string> client::watch_fields(const watched_quantities& wanted,
+                                           std::uint64_t held_solve) {
   auto document = impl_->open_document();
   if (!document)
     return fail(std::move(document.error()));
@@ -88,6 +89,7 @@ expected<std::string> client::watch_fields(const watched_quantities& wanted) {
   watch->set_document(*document);
   for (const auto& name : wanted)
     watch->add_quantities(name);
+  watch->set_held_solve(held_solve);
   impl_->link.arrivals().forget_fields();
   const auto got = impl_->ask(std::move(request), body::kDone);
   if (!got)

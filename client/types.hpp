@@ -318,6 +318,9 @@ struct solve_settings {
   bool all_load_cases = false;          ///< All that the head has, instead of any names.
   /// Stop already at this estimated relative error in energy: a preview; 0: never.
   double energy_tolerance = 0;
+  /// A solve (`solve_outcome::solve`) whose fields are here from an earlier connection: where the
+  /// outcome is of that one, none follow. 0: none.
+  std::uint64_t held_solve = 0;
 
   friend bool operator==(const solve_settings&, const solve_settings&) = default;
 };

@@ -171,6 +171,11 @@ inline constexpr shown_quantity shown_quantities[] = {
   return found == std::end(result_arrays) ? nullptr : found;
 }
 
+/// Whether only those who watch an array need it: comparisons and envelopes are made of the others.
+[[nodiscard]] constexpr bool is_for_watchers(const result_array& array) {
+  return array.sent == array_sent::on_request && array.envelope.values.empty();
+}
+
 /// The names of those that are sent on request, for a sentence: "stress_pa, safety_factor".
 [[nodiscard]] inline std::string arrays_on_request() {
   std::string result;

@@ -245,13 +245,14 @@ void client_state::want_surface(const std::string& document, const version_ptr& 
   bulk_out->pump();
 }
 
-void client_state::send_again(const std::string& document, const actors::solved& event) {
+void client_state::send_again(const std::string& document, const actors::solved& event,
+                              std::uint64_t held) {
   const auto found = look_up(document);
   if (found == documents.end())
     return;
   auto& open = found->second;
   open.last_solved = event;
-  if (!open.watch_fields)
+  if (!open.watch_fields || (held != 0 && event.number == held))
     return;
   const bool queued = open.wanted_fields.has_value();
   open.wanted_fields = event;

@@ -152,8 +152,9 @@ struct client_state {
 
   void answer_head(std::uint64_t id, const actors::head_moved& moved);
   void follow(const actors::head_moved& moved);
-  /// Queues the fields of a solve for those who watch them; also when they were sent before.
-  void send_again(const std::string& document, const actors::solved& event);
+  /// Queues the fields of a solve for those who watch them; also when they were sent before, unless
+  /// it is the solve `held`, whose fields the client says it has from an earlier connection.
+  void send_again(const std::string& document, const actors::solved& event, std::uint64_t held = 0);
   void want_surface(const std::string& document, const version_ptr& mesh);
   /// Puts the next field update of a document into the outbox, and after it the ones that follow.
   void queue_field(const std::string& document);

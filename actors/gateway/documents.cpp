@@ -165,11 +165,11 @@ void solve(client_state& client, std::uint64_t id, const v1::Solve& body) {
   request->client = caf::actor_cast<caf::actor>(client.self);
   client.self->request(document->session, answer_limit, std::move(*request))
     .then(
-      [=, &client](const solved& done) {
+      [=, &client, has = body.held_solve()](const solved& done) {
         v1::ServerMessage message;
         to_message(done, message.mutable_solved());
         client.answer(id, std::move(message));
-        client.send_again(done.document, done);
+        client.send_again(done.document, done, has);
       },
       [=, &client](const caf::error& e) { client.refuse(id, e, "the solve"); });
 }

@@ -118,9 +118,10 @@ void watch(client_state& client, std::uint64_t id, const v1::WatchFields& body) 
     return client.refuse(id, wanted.error());
   document->watched = *wanted;
   client.begin(id, {});
-  client.self->request(document->session, short_limit, held_atom::value)
+  const watch_request request{caf::actor_cast<caf::actor>(client.self), *wanted};
+  client.self->request(document->session, answer_limit, request)
     .then(
-      [=, &client, of = body.document()](const held_result& held) {
+      [=, &client, of = body.document(), has = body.held_solve()](const held_result& held) {
         v1::ServerMessage message;
         if (!held.result && !held.solving)
           message.mutable_done()->set_note(
@@ -129,7 +130,7 @@ void watch(client_state& client, std::uint64_t id, const v1::WatchFields& body) 
           message.mutable_done();
         client.answer(id, std::move(message));
         if (held.result)
-          client.send_again(of, *held.result);
+          client.send_again(of, *held.result, has);
       },
       [=, &client](const caf::error& e) { client.refuse(id, e, "watching fields"); });
 }

@@ -127,7 +127,12 @@ void tell_present(observing_pointer self, const session_actor& session,
   if (!now.head)
     return;
   tell_head(self, {now.document, *now.head, now.version, "head", nullptr, now.load_cases});
-  self->request(session, std::chrono::minutes(1), held_atom::value)
+  watch_request all{caf::actor_cast<caf::actor>(self),
+                    {}};  // Which of them it reads, it says to nobody.
+  for (const auto& array : fem::result_arrays)
+    if (array.sent == fem::array_sent::on_request)
+      all.arrays.emplace(array.name);
+  self->request(session, std::chrono::minutes(1), std::move(all))
     .then(
       [=](const held_result& held) {
         if (held.result)

@@ -147,7 +147,7 @@ void ask_for(page_store_pointer self, std::uint64_t id, const hash_list& ids) {
       line->since = self->clock().now();
       line->bytes = 0;
     }
-    packed = line->rate > 0 && line->rate < packing_rate;
+    packed = is_slow(line->rate);
   }
   const auto remote = caf::actor_cast<page_store_actor>(transfer.remote);
   self->request(remote, std::chrono::seconds(20), get_atom::value, ids, packed)
@@ -281,6 +281,10 @@ page_store_actor::behavior_type make_page_store(
           },
           [=](fetch_atom, const caf::actor& remote, const hash_list& ids) {
             return fetch(self, remote, ids);
+          },
+          [=](rate_atom, const caf::actor& remote) {
+            const auto* line = remote ? line_of(self->state, remote.address()) : nullptr;
+            return line ? line->rate : 0.0;
           }};
 }
 

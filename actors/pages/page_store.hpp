@@ -21,6 +21,11 @@ inline constexpr std::size_t transfer_credit = 6;
 /// a link between processes of one machine carries is ten times as much.
 inline constexpr double packing_rate = 25e6;
 
+/// Whether a line is known to be so slow. @param rate as a store answers it.
+[[nodiscard]] inline bool is_slow(double rate) {
+  return rate > 0 && rate < packing_rate;
+}
+
 /// So much of a slow line's time may be asked for at once: others get their turn meanwhile, and no
 /// batch is late for those before it.
 inline constexpr std::chrono::seconds most_ahead{3};

@@ -200,6 +200,16 @@ expected<std::pair<solved, solved>> session_state::results_to_compare(
               "Solve both with the same element order, then compare again");
 }
 
+/// What cannot be had is compared without.
+void session_state::bring_to_compare(std::uint32_t number, const std::string& load_case,
+                                     const version_ptr& mesh,
+                                     const std::function<void(bool)>& done) {
+  const auto found = results_of(graph.nodes()[number], load_case);
+  if (found.empty())
+    return done(false);
+  bring_watched(found.front()->event.number, mesh, done);
+}
+
 void session_state::begin_comparison(const comparison_request& request, const cancel_token& token,
                                      const caf::typed_response_promise<compared>& promise) {
   const auto refuse = [this](const error& e) { refuse_aside(e); };
@@ -207,7 +217,12 @@ void session_state::begin_comparison(const comparison_request& request, const ca
     with_mesh(
       request.after,
       [=, this](const version_ptr& after) {
-        run_comparison(request, {before, after}, token, promise);
+        const auto run = [=, this](bool) {
+          run_comparison(request, {before, after}, token, promise);
+        };
+        bring_to_compare(request.before, request.load_case, before, [=, this](bool) {
+          bring_to_compare(request.after, request.load_case, after, run);
+        });
       },
       refuse);
   };

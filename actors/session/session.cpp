@@ -70,6 +70,7 @@ caf::result<session_snapshot> session_state::attach(const attach_request& reques
   if (ended)
     return to_caf({ec::service_unavailable, "the document is being closed", "Open it again", {}});
   const auto [place, is_new] = subscribers.try_emplace(request.subscriber);
+  watched.erase(request.subscriber);
   auto& who = place->second;
   if (is_new) {
     who = {++participants_so_far, request.name, utc_now(), request.only_looks};
@@ -94,6 +95,7 @@ caf::result<session_snapshot> session_state::attach(const attach_request& reques
 
 void session_state::detach(const caf::actor& subscriber) {
   const auto gone = subscribers.extract(subscriber);
+  watched.erase(subscriber);
   if (gone) {
     numbers::subscriptions().add(-1);
     broadcast(participant_changed{parts.document, gone.mapped(), true});
@@ -267,7 +269,12 @@ void session_state::cancel_jobs_of(std::uint64_t ticket) {
 // -- what all commands use -----------------------------------------------------------------------
 
 job_id session_state::new_job(std::uint64_t ticket, const caf::actor& client) {
-  static std::atomic<std::uint64_t> last{0};
+  // A client that comes back must not take another server's solve for one that it has: numbers
+  // begin with the time, in microseconds.
+  static std::atomic<std::uint64_t> last{
+    static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::microseconds>(
+                                 std::chrono::system_clock::now().time_since_epoch())
+                                 .count())};
   const job_id job{++last};
   progress_of[job] = {ticket, client};
   return job;
@@ -348,7 +355,7 @@ session_actor::behavior_type make_session(session_pointer self, session_parts pa
           [&state](copy_atom, const copy_order& order) { return state.copy_to(order); },
           [&state](delete_atom, const caf::actor& asker) { return state.erase(asker); },
           [&state](status_atom) { return state.status(); },
-          [&state](held_atom) { return state.held(); },
+          [&state](const watch_request& request) { return state.watch(request); },
           [&state](const solve_request& request) { return state.solve(request); },
           [&state](end_solve_atom) { return state.end_solve(); },
           [&state](const export_request& request) { return state.write_file(request); },

@@ -60,11 +60,12 @@ struct session_parts {
 struct session_state;
 using session_pointer = session_actor::stateful_pointer<session_state>;
 
-/// The state of a session. Its members are what the handlers call; they are split over eleven
+/// The state of a session. Its members are what the handlers call; they are split over twelve
 /// files: session.cpp (subscribers, queue, history), edits.cpp (everything that moves the head),
 /// changes.cpp (what every change must pass), meshes.cpp (meshes of versions), candidates.cpp
-/// (operations, previews), notes.cpp (what makes no new version), solves.cpp, asides.cpp (what is
-/// worked out aside), comparisons.cpp, print_checks.cpp and cad.cpp (edits on the CAD model).
+/// (operations, previews), notes.cpp (what makes no new version), solves.cpp, result_fields.cpp,
+/// asides.cpp (what is worked out aside), comparisons.cpp, print_checks.cpp and cad.cpp (edits on
+/// the CAD model).
 struct session_state {
   /// Something that changes the document. One at a time, in the order of arrival.
   struct command {
@@ -147,7 +148,14 @@ struct session_state {
     solved event;  ///< Without its fields and its mesh.
     solve_result fields;
     result_memory::handle shown;  ///< The fields, as long as there is room for them.
+    std::vector<field_ref>
+      left;  ///< Of those that are shown, where they were made: nobody watches.
   };
+
+  /// Takes the fields of a result, and those that were left where they are.
+  using fields_taker = std::function<void(const std::shared_ptr<const std::vector<field>>&,
+                                          const std::vector<field_ref>& left)>;
+  struct field_fetch;
 
   // -- session.cpp ---------------------------------------------------------------------------
 
@@ -319,12 +327,25 @@ struct session_state {
   void fail_solve(job_id job, const error& e);
   void on_frame(const job_frame& frame);
   void on_preview(const job_preview& preview);
-  /// Fetches the pages of fields and hands the opened fields on while `job` is still active.
-  void open_fields(job_id job, const solve_result& result,
-                   const std::function<void(std::shared_ptr<const std::vector<field>>)>& use,
-                   const std::function<void(const error&)>& refuse);
   /// How a solve goes on; its end is told to those who wait for it by their answer.
   void tell(const active_solve& which, solve_phase phase, const std::string& message = {});
+
+  // -- result_fields.cpp ----------------------------------------------------------------------
+
+  /// Whether somebody needs a field.
+  [[nodiscard]] bool is_watched(const field_ref& one) const;
+  /// Fetches the fields of a result, over a slow line those that are watched, and hands them on
+  /// while `job` is still active.
+  void open_fields(job_id job, const solve_result& result, const fields_taker& use,
+                   const std::function<void(const error&)>& refuse);
+  void fetch_fields(const std::shared_ptr<field_fetch>& fetch);
+  caf::result<held_result> watch(const watch_request& request);
+  /// Fetches what is watched of a result that is at hand; `done` hears whether all of it is there.
+  void bring_watched(std::uint64_t solve, const version_ptr& mesh,
+                     const std::function<void(bool)>& done);
+  bool add_fields(std::uint64_t solve, const version_ptr& mesh,
+                  const std::vector<field_ref>& wanted, const page_set& pages);
+  void solve_once_more(std::uint64_t solve);
 
   // -- asides.cpp -----------------------------------------------------------------------------
 
@@ -351,6 +372,9 @@ struct session_state {
   caf::result<compared> compare(const comparison_request& request);
   void begin_comparison(const comparison_request& request, const cancel_token& token,
                         const caf::typed_response_promise<compared>& promise);
+  /// Of the result that is compared, what is watched.
+  void bring_to_compare(std::uint32_t number, const std::string& load_case, const version_ptr& mesh,
+                        const std::function<void(bool)>& done);
   /// `meshes`: before and after.
   void run_comparison(const comparison_request& request,
                       const std::pair<version_ptr, version_ptr>& meshes, const cancel_token& token,
@@ -416,6 +440,7 @@ struct session_state {
   version_graph graph;
   change_log past;
   std::map<caf::actor, participant> subscribers;
+  std::map<caf::actor, std::set<std::string, std::less<>>> watched;  ///< `watch_request`.
   std::uint64_t participants_so_far = 0;
   std::deque<command> waiting;
   std::optional<running_command> running;

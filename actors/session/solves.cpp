@@ -2,7 +2,6 @@
 
 #include "actors/errors.hpp"
 #include "actors/session/numbers.hpp"
-#include "actors/session/result_check.hpp"
 #include "actors/session/session.hpp"
 #include "actors/versions.hpp"
 #include "base/logging/logging.hpp"
@@ -238,33 +237,6 @@ acknowledged session_state::end_solve() {
   return {};
 }
 
-void session_state::open_fields(
-  job_id job, const solve_result& result,
-  const std::function<void(std::shared_ptr<const std::vector<field>>)>& use,
-  const std::function<void(const error&)>& refuse) {
-  if (!active || active->job != job)
-    return;  // Superseded meanwhile.
-  if (const auto outcome = result.outcome.get(); !outcome)
-    return refuse(outcome.error());
-  const auto open = [=, this](const page_set& pages) {
-    if (!active || active->job != job)
-      return;
-    auto fields = std::make_shared<std::vector<field>>();
-    for (const auto& ref : result.fields) {
-      auto f = open_field(ref, pages);
-      if (!f)
-        return refuse(f.error());
-      fields->push_back(std::move(*f));
-    }
-    if (const auto ok =
-          check_solved(**result.outcome.get(), *fields, *active->mesh, active->key.load_cases);
-        !ok)
-      return refuse(ok.error());
-    use(std::move(fields));
-  };
-  pull(result.source, pages_of(result.fields), open, refuse);
-}
-
 void session_state::keep_result(kept_result result) {
   results.push_front(std::move(result));
   std::size_t cases = 0;
@@ -277,7 +249,8 @@ void session_state::keep_result(kept_result result) {
 void session_state::receive_result(job_id job, const solve_result& result) {
   open_fields(
     job, result,
-    [=, this](const std::shared_ptr<const std::vector<field>>& fields) {
+    [=, this](const std::shared_ptr<const std::vector<field>>& fields,
+              const std::vector<field_ref>& left) {
       auto done = std::move(*active);
       active.reset();
       progress_of.erase(job);
@@ -288,7 +261,7 @@ void session_state::receive_result(job_id job, const solve_result& result) {
       kept.fields.reset();
       kept.version.reset();
       keep_result({std::move(done.key), std::move(kept), result,
-                   parts.results->keep(fields, bytes_of(*fields))});
+                   parts.results->keep(fields, bytes_of(*fields)), left});
       broadcast(event, done.askers());
       for (auto& waiter : done.waiting)
         waiter.promise.deliver(event);
@@ -310,7 +283,8 @@ void session_state::retry_solve(job_id job, const error& e) {
 void session_state::on_preview(const job_preview& preview) {
   open_fields(
     preview.job, preview.result,
-    [=, this](const std::shared_ptr<const std::vector<field>>& fields) {
+    [=, this](const std::shared_ptr<const std::vector<field>>& fields,
+              const std::vector<field_ref>&) {
       broadcast(solved{parts.document, active->mesh, *preview.result.outcome.get(), fields,
                        preview.job.value});
     },

@@ -156,13 +156,14 @@ void file_requests::reopen() {
       if (!got)
         return emit part_.failed(title, got.error());
       part_.take(*got);
-      part_.solver().send_watch();
+      const auto held = part_.solver().held_solve();
+      part_.solver().send_watch(held);
       emit part_.opened();
       part_.take_surface();  // It may have come before this answer.
       part_.refresh_history(true);
       part_.edits().ask_again();
       if (got->head && !got->head->load_cases.empty())
-        part_.solver().solve();
+        part_.solver().solve(held);
     });
 }
 

@@ -45,17 +45,19 @@ void solve_requests::set_settings(const client::solve_settings& settings) {
   solve();
 }
 
-void solve_requests::solve() {
+void solve_requests::solve(std::uint64_t held) {
   if (!versions_.head())
     return;
   set_progress(field_state::waiting);
+  auto settings = settings_;
+  settings.held_solve = held;
   link_.run<solve_outcome>(
-    [settings = settings_](client::client& c, const execution& run) {
-      return c.solve_cases(settings, run);
-    },
-    [this, mine = part_.opening()](const expected<solve_outcome>& got) {
+    [settings](client::client& c, const execution& run) { return c.solve_cases(settings, run); },
+    [this, held, mine = part_.opening()](const expected<solve_outcome>& got) {
       if (mine != part_.opening())
         return;
+      if (got && held != 0 && got->solve == held)
+        return set_progress(field_state::converged);  // Its fields are here.
       if (got || got.error().code == ec::superseded)
         return;  // The document has heard of it as of everybody's solves; another one follows.
       if (got.error().code == ec::cancelled)
@@ -85,11 +87,26 @@ void solve_requests::watch(const client::watched_quantities& wanted) {
     send_watch();
 }
 
-void solve_requests::send_watch() {
+std::uint64_t solve_requests::held_solve() const {
+  const auto* row = versions_.head();
+  if (!row || row->fields.empty() || row->fields.back()->remaining > 0 ||
+      row->fields.back()->interim())
+    return 0;
+  const auto has_all = [&](const shared_field& one) {
+    return one->envelope || std::ranges::none_of(watched_, [&](const std::string& name) {
+             return one->values.of(name).empty();
+           });
+  };
+  return std::ranges::all_of(row->fields, has_all) ? row->fields.back()->solve : 0;
+}
+
+void solve_requests::send_watch(std::uint64_t held) {
   if (!part_.is_open() || watched_.empty())
     return;
   link_.run<std::string>(
-    [wanted = watched_](client::client& c, const execution&) { return c.watch_fields(wanted); },
+    [wanted = watched_, held](client::client& c, const execution&) {
+      return c.watch_fields(wanted, held);
+    },
     [this, mine = part_.opening()](const expected<std::string>& got) {
       if (mine != part_.opening() || link_.current() != remote::state::connected)
         return;

@@ -27,8 +27,9 @@ public:
   [[nodiscard]] const client::solve_status& status() const { return status_; }
   /// Whether a solve runs or is about to.
   [[nodiscard]] bool is_running() const noexcept { return job_ != 0; }
-  /// Solves all load cases of the head; from then on every new head is solved by itself.
-  void solve();
+  /// Solves all load cases of the head; from then on every new head is solved by itself. Fields of
+  /// the solve `held` do not come again.
+  void solve(std::uint64_t held = 0);
   /// Ends the solve that runs, also one that followed an edit by itself.
   void cancel();
   void set_settings(const client::solve_settings& settings);
@@ -40,8 +41,11 @@ public:
   // -- for the document ----------------------------------------------------------------
 
   void set_progress(field_state next);
-  /// Also after the document was opened again: the server forgets it with the connection.
-  void send_watch();
+  /// Also after the document was opened again: the server forgets it with the connection. `held`
+  /// as in `solve`.
+  void send_watch(std::uint64_t held = 0);
+  /// The solve whose fields, with all that is watched, the head's row has; 0: none.
+  [[nodiscard]] std::uint64_t held_solve() const;
   /// `document`: the one that is left. A solve of it goes on at the server.
   void forget(const QString& document);
   void forget_watch() { watched_ = {}; }

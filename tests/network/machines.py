@@ -85,6 +85,10 @@ class Hall:
     def nodes(self):
         return {node.name: node.state for node in self.watcher.status().nodes if node.state != "lost"}
 
+    def links(self):
+        """The address that each worker is joined from: another one after each time that it joined."""
+        return {node.name: node.address for node in self.watcher.status().nodes if node.state != "lost"}
+
     def open(self, name):
         part = self.client.open(name)
         part.import_mesh(self.mesh, unit="mm")
@@ -301,7 +305,7 @@ def one_kill(hall, part, number, role, calm, last):
     begin = time.monotonic()
     thread.start()
     time.sleep(random.uniform(0, calm))
-    states = hall.nodes()
+    states, before = hall.nodes(), hall.links()
     victim = next((name for name in of_role if states.get(name) == "working"), random.choice(of_role))
     kill(hall, victim)
     struck = time.monotonic()
@@ -312,7 +316,7 @@ def one_kill(hall, part, number, role, calm, last):
     done = time.monotonic()
     seen = (part.head.version_id, field.report.max_von_mises_pa)
     part.undo()
-    wait_until(lambda: len(hall.nodes()) == len(WORKERS), 60)
+    wait_until(lambda: hall.links().get(victim) not in (None, before[victim]), 60)  # Not the link that has just been cut.
     return states.get(victim) == "working", done - begin, time.monotonic() - struck, field.message.solve, seen
 
 

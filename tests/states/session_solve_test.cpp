@@ -19,7 +19,7 @@ protected:
     set_load("hanging", 5);
   }
 
-  held_result ask_held() { return request<held_result>(held_atom::value).value(); }
+  held_result ask_held() { return request<held_result>(watch_request{mine_, {}}).value(); }
 };
 
 TEST_F(Solves, WithoutALoadCaseThereIsNothingToSolve) {
@@ -181,11 +181,11 @@ TEST_F(Solves, WhoeverEndsItEndsItForAll) {
 TEST_F(Solves, WhatIsHeldIsTheHeadsOwn) {
   solve(mine_);
   finish({"solve"});
-  const auto there = ask<held_result>(session_, held_atom::value);
+  const auto there = ask<held_result>(session_, watch_request{mine_, {}});
   pass(milliseconds(1));
   ASSERT_TRUE(there.value().result.has_value());
   set_load("hanging", 7);
-  const auto gone = ask<held_result>(session_, held_atom::value);
+  const auto gone = ask<held_result>(session_, watch_request{mine_, {}});
   pass(milliseconds(1));
   EXPECT_FALSE(gone.value().result.has_value()) << "the old field would lie";
 }

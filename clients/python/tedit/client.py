@@ -321,8 +321,8 @@ class Client:
             if had_versions and document.head is None:  # A name that leads nowhere begins a new document.
                 await self._link.ask("close_document", session.CloseDocument(document=document.name))
                 raise errors.NotFound(f"the document {document.name} was deleted")
-            if document.watched:
-                await self._link.ask("watch_fields", session.WatchFields(document=document.name, quantities=document.watched))
+            if document.wants_fields:  # A solve may have ended meanwhile.
+                await self._link.ask("watch_fields", document._watch_again())
             document._tell(Reconnected(document.name))
         except errors.ConnectionLost:
             raise

@@ -372,6 +372,16 @@ class Document:
             name=self.name, watch_surface=self.wants_surface, watch_fields=self.wants_fields, held_version_id=held
         )
 
+    def _watch_again(self) -> session.WatchFields:
+        """What was watched before the connection was lost; fields that are here are named, so that they do not come again."""
+        body = session.WatchFields(document=self.name, quantities=self.watched)
+        last = self._fields[-1] if self._fields else []
+        if self.head and last and last[-1].version_id == self.head.version_id:
+            cases = [field for field in last if field.report]
+            if all(name in field.arrays for field in cases for name in self.watched):
+                body.held_solve = last[-1].message.solve
+        return body
+
     def _ask(self, kind: str, body: typing.Any, **how: typing.Any) -> Answer:
         if self._gone:
             raise self._gone
@@ -418,6 +428,8 @@ class Document:
             self.name = state.document
             self.head = state.head if state.HasField("head") else None
             self.can_undo, self.can_redo = state.can_undo, state.can_redo
+            if list(state.load_cases) != self.load_cases:
+                self._fields.clear()  # Of other loads.
             self.load_cases = list(state.load_cases)
             self.participants = list(state.participants)
             self.participant = state.participant

@@ -296,10 +296,8 @@ export class Client {
         await this.link.ask({ case: "closeDocument", value: { document: document.name } }, "done");
         throw new NotFound(`the document ${document.name} was deleted`);
       }
-      if (document.watched.length > 0) {
-        const value = { document: document.name, quantities: [...document.watched] };
-        await this.link.ask({ case: "watchFields", value }, "done");
-      }
+      if (document.wantsFields) // A solve may have ended meanwhile.
+        await this.link.ask({ case: "watchFields", value: document.watchAgain() }, "done");
       document.tell({ type: "reconnected" });
     } catch (problem) {
       if (problem instanceof ConnectionLost || !(problem instanceof TeditError)) throw problem;

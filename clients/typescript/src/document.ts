@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // A document: its versions, its loads, its surface and its fields.
-import type { JsonValue, MessageInitShape } from "@bufbuild/protobuf";
+import { equals, type JsonValue, type MessageInitShape } from "@bufbuild/protobuf";
 import { Preview, type Comparison, type PrintCheck, type PrintLimits, type Section } from "./answers.js";
 import type { Client } from "./client.js";
 import { guarded } from "./guarded.js";
@@ -10,6 +10,7 @@ import type { Answer, AnswerCase, AskOptions, CallOptions, Request } from "./lin
 import type { Arrays } from "./streams.js";
 import { Field, Surface } from "./surface.js";
 import {
+  LoadCaseSchema,
   SelectSurfaces_Kind,
   type ApplyEditSchema,
   type Committed,
@@ -25,6 +26,7 @@ import {
   type SolveSchema,
   type SurfaceUpdate,
   type VersionInfo,
+  type WatchFieldsSchema,
 } from "./v1.js";
 import { makeEditId, toIds, toLoadCase, toParameters, toPolicy, type Parameters, type Policy, type SurfaceId } from "./values.js";
 
@@ -354,7 +356,20 @@ export class Document {
   /** @internal */
   request(): MessageInitShape<typeof OpenDocumentSchema> {
     const heldVersionId = this.surfaceFault ? "" : this.surface.versionId; // From an earlier connection.
-    return { name: this.name, watchSurface: this.wants.surface ?? true, watchFields: this.wants.fields ?? true, heldVersionId };
+    return { name: this.name, watchSurface: this.wants.surface ?? true, watchFields: this.wantsFields, heldVersionId };
+  }
+
+  /** @internal */
+  get wantsFields(): boolean {
+    return this.wants.fields ?? true;
+  }
+
+  /** What was watched before the connection was lost; fields that are here are named, so that they do not come again. @internal */
+  watchAgain(): MessageInitShape<typeof WatchFieldsSchema> {
+    const last = this.solves.at(-1) ?? [];
+    const complete = last.every(({ report, arrays }) => !report || this.watched.every((name) => arrays.components(name) > 0));
+    const held = complete && last.at(-1)?.versionId === this.head?.versionId;
+    return { document: this.name, quantities: [...this.watched], heldSolve: held ? last.at(-1)?.message.solve : undefined };
   }
 
   /** Those that are meant come after the answer. */
@@ -369,6 +384,10 @@ export class Document {
     this.head = state.head;
     this.canUndo = state.canUndo;
     this.canRedo = state.canRedo;
+    const sameLoads =
+      this.loadCases.length === state.loadCases.length &&
+      state.loadCases.every((one, i) => equals(LoadCaseSchema, one, this.loadCases[i]!));
+    if (!sameLoads) this.solves = [];
     this.loadCases = state.loadCases;
     this.participants = state.participants;
     this.participant = state.participant;
