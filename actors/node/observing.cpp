@@ -12,6 +12,7 @@
 #include "actors/exits.hpp"
 #include "actors/versions.hpp"
 #include "base/logging/logging.hpp"
+#include "fem/quantities.hpp"
 
 namespace tedit::actors {
 

@@ -88,6 +88,47 @@ TEST(Reopen, WhoHasASurfaceIsSentTheDifferenceToIt) {
   test::expect_same(again->surface(), fresh->surface());
 }
 
+/// The same of its fields, as long as the server has that result.
+TEST(Reopen, WhoHasTheFieldsOfASolveIsNotSentThemAgain) {
+  const scratch_folder folder;
+  auto host = start(options_for(folder, false));
+  const client::watched_quantities wanted{"stress_pa"};
+  const client::solve_settings settings{.device = "cpu", .element_order = 1};
+  std::uint64_t solve = 0;
+  {
+    auto user = connect(host->url());
+    value(user->open("cube", false, true));
+    value(user->import_file(test::cube_mesh, "mm", {}));
+    value(user->set_load_case(pull(1000)));
+    solve = value(user->solve_cases(settings, {})).solve;
+  }
+  std::atomic<int> came{0};
+  client::events heard;
+  heard.on_field = [&](const client::field_event&) { ++came; };
+  auto back = connect(host->url(), heard);
+  value(back->open("cube", false, true));
+  EXPECT_EQ(value(back->watch_fields(wanted, solve)), "");
+  auto again = settings;
+  again.held_solve = solve;
+  EXPECT_EQ(value(back->solve_cases(again, {})).solve, solve);
+  EXPECT_EQ(came, 0);
+  // Another one's number is that of no solve here.
+  EXPECT_EQ(value(back->watch_fields(wanted, solve + 1)), "");
+  const auto field = value(back->wait_field("", patience));
+  EXPECT_EQ(field.solve, solve);
+  EXPECT_FALSE(field.values.of("stress_pa").empty());
+  EXPECT_EQ(came, 1);
+
+  // A server that began anew has other numbers.
+  back.reset();
+  host.reset();
+  host = start(options_for(folder, false));
+  back = connect(host->url(), heard);
+  value(back->open("cube", false, true));
+  EXPECT_NE(value(back->solve_cases(again, {})).solve, solve);
+  EXPECT_NE(value(back->wait_field("", patience)).solve, solve);
+}
+
 /// A document of that name may be another one by now.
 TEST(Reopen, WhoHasASurfaceOfAnotherPartIsSentTheWhole) {
   const scratch_folder folder;

@@ -32,6 +32,7 @@ struct helper_state {
   std::shared_ptr<page_cache> cache;
   std::vector<std::shared_ptr<const store::change>> changes;  ///< That were asked for.
   std::vector<std::uint32_t> models;                          ///< Likewise, by their versions.
+  std::function<void(solve_result&)> add_fields;              ///< To what solves yield.
   std::string mesh_only;  ///< Why the next edit is not made on the CAD model; empty: it is.
   int closed = 0;
   static inline const char* name = "helper";
@@ -101,6 +102,8 @@ inline caf::behavior make_helper(helper_actor* self, std::shared_ptr<page_cache>
           outcome.cases.push_back({.version_id = to_hex(order.version.id), .load_case = one.name});
         solve_result result;
         result.outcome = wire_value(std::move(outcome));
+        if (self->state.add_fields)
+          self->state.add_fields(result);
         return result;
       });
     },

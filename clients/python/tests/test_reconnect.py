@@ -80,6 +80,42 @@ class Reconnecting(unittest.TestCase):
         self.assertEqual(after.version_id, changed.version_id)
         self.assertAlmostEqual(after.area_m2(), changed.area_m2(), delta=1e-15)
 
+    def test_fields_that_are_here_do_not_come_again(self):
+        client = self.connect()
+        part = client.open("part")
+        part.import_mesh(MESH)
+        part.set_load_case(LOADS)
+        part.solve(element_order=1)
+        part.watch_fields(["stress_pa"])
+        before = part.wait_field()
+        self.assertIn("stress_pa", before.arrays)
+        heard = part.events(timeout=60)
+        self.line.cut()
+        next(one for one in heard if isinstance(one, events.Reconnected))
+        client.status()  # What was sent before it is here.
+        part.watch_fields([])  # These come: they were asked for.
+        arrived = [next(one for one in heard if isinstance(one, events.FieldArrived)).field]
+        self.assertEqual([sorted(one.arrays) for one in arrived], [["displacement_m", "vertices", "von_mises_pa"]])
+        self.assertEqual(arrived[0].message.solve, before.message.solve)
+
+    def test_a_field_that_was_missed_comes(self):
+        client = self.connect()
+        part = client.open("part")
+        part.import_mesh(MESH)
+        part.set_load_case(LOADS)
+        first = part.solve(element_order=1).solve
+        part.wait_field()
+        self.line.mute = True
+        with self.server.connect() as other:
+            theirs = other.open("part")
+            theirs.edit("fill_hole", [92, 93])
+            second = theirs.solve(element_order=1).solve
+            theirs.wait_field()
+        self.assertNotEqual(first, second)
+        self.line.cut()
+        self.assertEqual(len(part.history().versions), 2)  # Waits for the line.
+        self.assertEqual(part.wait_field().message.solve, second)
+
     def test_calls_say_what_they_are_a_part_of(self):
         said = []
         send = tedit._link.Link._send
