@@ -95,10 +95,11 @@ TEST(Reopen, WhoHasTheFieldsOfASolveIsNotSentThemAgain) {
   const client::watched_quantities wanted{"stress_pa"};
   const client::solve_settings settings{.device = "cpu", .element_order = 1};
   std::uint64_t solve = 0;
+  std::string head;
   {
     auto user = connect(host->url());
     value(user->open("cube", false, true));
-    value(user->import_file(test::cube_mesh, "mm", {}));
+    head = value(user->import_file(test::cube_mesh, "mm", {})).head.version_id;
     value(user->set_load_case(pull(1000)));
     solve = value(user->solve_cases(settings, {})).solve;
   }
@@ -114,7 +115,7 @@ TEST(Reopen, WhoHasTheFieldsOfASolveIsNotSentThemAgain) {
   EXPECT_EQ(came, 0);
   // Another one's number is that of no solve here.
   EXPECT_EQ(value(back->watch_fields(wanted, solve + 1)), "");
-  const auto field = value(back->wait_field("", patience));
+  const auto field = value(back->wait_field(head, patience));
   EXPECT_EQ(field.solve, solve);
   EXPECT_FALSE(field.values.of("stress_pa").empty());
   EXPECT_EQ(came, 1);
@@ -126,7 +127,7 @@ TEST(Reopen, WhoHasTheFieldsOfASolveIsNotSentThemAgain) {
   back = connect(host->url(), heard);
   value(back->open("cube", false, true));
   EXPECT_NE(value(back->solve_cases(again, {})).solve, solve);
-  EXPECT_NE(value(back->wait_field("", patience)).solve, solve);
+  EXPECT_NE(value(back->wait_field(head, patience)).solve, solve);
 }
 
 /// A document of that name may be another one by now.
