@@ -143,6 +143,36 @@ void note_refusals(std::vector<std::string>& lines, plan& p) {
   });
 }
 
+/// Rules and what was seen, from the lines with this mark; nothing unless all was looked at.
+std::optional<std::vector<broken_rule>> rules_from(const std::vector<std::string>& lines,
+                                                   std::string_view mark) {
+  std::vector<broken_rule> result;
+  for (const auto& line : lines) {
+    const auto split = line.find('\t');
+    if (line.starts_with(mark) && split != std::string::npos)
+      result.push_back({line.substr(mark.size(), split - mark.size()), line.substr(split + 1)});
+  }
+  if (std::ranges::find(lines, looked_at) == lines.end())
+    return std::nullopt;
+  return result;
+}
+
+/// What a check has found out for those that come after it.
+void note_findings(const check& c, const conformance_row& row,
+                   const std::vector<std::string>& lines, plan& p) {
+  const std::string_view name = c.name;
+  if (p.settings->repeat > 1)
+    return;  // Who repeats checks wants their edits made.
+  if (name == "result_complete")
+    p.broken = rules_from(lines, breaks);
+  else if (name == "quiet")
+    p.left_behind = rules_from(lines, leaves);
+  else if (name == "deterministic" && row.outcome == verdict::pass)
+    for (const auto& line : lines)
+      if (line.starts_with(version_is))
+        p.versions.push_back(line.substr(version_is.size()));
+}
+
 /// All checks in the order in which they run.
 std::vector<check> all_checks() {
   std::vector<check> result;
@@ -221,6 +251,7 @@ private:
       note_refusals(lines, plan_);
       plan_.cases = cases_from(lines, plan_);
     }
+    note_findings(c, row, lines, plan_);
     note_obstacles(c, row);
     if (std::string_view(c.name) == "descriptor" && row.outcome == verdict::pass)
       report_.plugin = row.seen.substr(0, row.seen.find(','));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "mesh/checks.hpp"
 #include "ops/conformance/child.hpp"
 #include "ops/conformance/conformance.hpp"
@@ -26,6 +28,12 @@ struct failure {
   std::string remedy;
 };
 
+/// A rule that an edit breaks.
+struct broken_rule {
+  std::string rule;
+  std::string seen;
+};
+
 /// What the parent knows when it starts a check.
 struct plan {
   const conformance_settings* settings = nullptr;
@@ -34,6 +42,12 @@ struct plan {
   std::size_t refusals = 0;          ///< What the survey saw refused,
   std::vector<failure> unexplained;  ///< and the first of those that do not say why or what to do.
   std::uint32_t operation = 0;       ///< Index in the plugin.
+  /// What the results of the working cases break, once a check has looked at all of it: others
+  /// about results need not make them again.
+  std::optional<std::vector<broken_rule>> broken;
+  /// Likewise what they leave behind.
+  std::optional<std::vector<broken_rule>> left_behind;
+  std::vector<std::string> versions;  ///< Of the working cases, once they are known to be the same.
   bool faulty = false;  ///< A rule about results is known to be broken: other checks leave it out.
 };
 
@@ -123,6 +137,13 @@ struct check {
 // -----------------------------------------------
 
 constexpr std::string_view refused = "refused";  ///< Followed by what it lacks, if it lacks any.
+
+// -- and other checks, for those that come after them ---------------------------------------------
+
+constexpr std::string_view breaks = "breaks ";       ///< A rule, a tab, and what was seen.
+constexpr std::string_view leaves = "leaves ";       ///< The same of what is left behind.
+constexpr std::string_view version_is = "version ";  ///< Of the next working case, hexadecimal.
+constexpr std::string_view looked_at = "all was looked at";
 constexpr std::string_view remedy_mark = " remedy: ";  ///< What follows is the failure's remedy.
 
 // -- helpers

@@ -20,27 +20,6 @@ void apply_all(plugin_trial& b) {
     (void)b.succeed(c);
 }
 
-std::string quiet(plugin_trial& b) {
-  const auto before = bytes_on_stdout();
-  b.load();
-  apply_all(b);
-  if (const auto written = bytes_on_stdout() - before; written > 0)
-    throw failure{"it wrote " + std::to_string(written) + " bytes to standard output",
-                  "Programs speak JSON there: use ctx.log, ctx.run.report or a notice"};
-  return "nothing was written";
-}
-
-std::string no_files(plugin_trial& b) {
-  namespace fs = std::filesystem;
-  b.load();
-  apply_all(b);
-  // Home, temporary and working folder are this one, which was empty.
-  for (const auto& item : fs::recursive_directory_iterator(fs::current_path()))
-    throw failure{"it left " + item.path().filename().string() + " behind",
-                  "Keep everything in memory, or remove the file before returning"};
-  return "the working, home and temporary folder is empty";
-}
-
 /// What a process has beside its memory.
 std::map<std::string, std::string> surroundings() {
   std::map<std::string, std::string> result;
@@ -70,17 +49,63 @@ std::map<std::string, std::string> surroundings() {
   return result;
 }
 
-std::string no_traces(plugin_trial& b) {
-  const auto before = surroundings();
-  b.load();
-  apply_all(b);
+constexpr auto writes = "quiet";
+constexpr auto leaves_file = "no_files";
+constexpr auto leaves_trace = "no_traces";
+
+std::string changed_since(const std::map<std::string, std::string>& before) {
   const auto after = surroundings();
   for (const auto& [name, value] : after)
     if (const auto old = before.find(name); old == before.end() || old->second != value)
-      throw failure{"it changed " + name,
-                    "The process belongs to the host: restore what you must change"};
-  if (before.size() != after.size())
-    throw failure{"it removed an environment variable", "Leave the environment alone"};
+      return "it changed " + name;
+  return before.size() == after.size() ? "" : "it removed an environment variable";
+}
+
+/// What the working cases leave behind. Runs them unless another check has told.
+std::vector<broken_rule> left_behind(plugin_trial& b) {
+  if (b.the_plan().left_behind)
+    return *b.the_plan().left_behind;
+  namespace fs = std::filesystem;
+  const auto said = bytes_on_stdout();
+  const auto before = surroundings();
+  b.load();
+  apply_all(b);
+  std::vector<broken_rule> result;
+  if (const auto written = bytes_on_stdout() - said; written > 0)
+    result.push_back({writes, "it wrote " + std::to_string(written) + " bytes to standard output"});
+  // Home, temporary and working folder are this one, which was empty.
+  for (const auto& item : fs::recursive_directory_iterator(fs::current_path()))
+    result.push_back({leaves_file, "it left " + item.path().filename().string() + " behind"});
+  if (const auto changed = changed_since(before); !changed.empty())
+    result.push_back({leaves_trace, changed});
+  return result;
+}
+
+void judge(const std::vector<broken_rule>& left, std::string_view rule, const char* remedy) {
+  for (const auto& one : left)
+    if (one.rule == rule)
+      throw failure{one.seen, remedy};
+}
+
+/// Tells those that come after it what else is left.
+std::string quiet(plugin_trial& b) {
+  const auto left = left_behind(b);
+  for (const auto& one : left)
+    b.say(std::string(leaves) + one.rule + "\t" + one.seen);
+  b.say(std::string(looked_at));
+  judge(left, writes, "Programs speak JSON there: use ctx.log, ctx.run.report or a notice");
+  return "nothing was written";
+}
+
+std::string no_files(plugin_trial& b) {
+  judge(left_behind(b), leaves_file,
+        "Keep everything in memory, or remove the file before returning");
+  return "the working, home and temporary folder is empty";
+}
+
+std::string no_traces(plugin_trial& b) {
+  judge(left_behind(b), leaves_trace,
+        "The process belongs to the host: restore what you must change");
   return "environment, locale, signals and floating point are as before";
 }
 
@@ -95,8 +120,7 @@ std::string no_handles(plugin_trial& b) {
   apply_all(b);  // What is made once, on first use, may stay.
   const auto files = entries_of("/proc/self/fd");
   const auto threads = entries_of("/proc/self/task");
-  for (int i = 0; i < 3; ++i)
-    apply_all(b);
+  apply_all(b);
   if (entries_of("/proc/self/fd") > files)
     throw failure{"every edit leaves a file open", "Close what you open, also on errors"};
   if (entries_of("/proc/self/task") > threads)

@@ -10,39 +10,74 @@ namespace tedit::ops::kit {
 
 namespace {
 
-/// Runs the working cases and fails when a candidate breaks one of these rules of `check_edit`.
-std::string judge(plugin_trial& b, const std::set<std::string>& rules, const char* remedy) {
+constexpr auto changes_nothing = "changes something";
+constexpr auto loses_region = "region stays in the table";
+
+void look_at(const plugin_trial& b, const working_case& c, const edit_result& edit,
+             std::vector<broken_rule>& broken) {
+  const auto& before = *b.sample_of(c).mesh;
+  const auto at = "on surface " + where(b, c) + ": ";
+  b.mark("checking the result on surface " + where(b, c));
+  for (const auto& fault : faults_of(before, edit))
+    broken.push_back({fault.rule, at + to_text(fault)});
+  for (const auto& row : before.regions())
+    if (std::ranges::find(edit.candidate->regions(), row) == edit.candidate->regions().end())
+      broken.push_back({loses_region, at + "region " + std::to_string(row.id) + " left the table"});
+  // What asks for a thorough optimisation leaves the change to the host.
+  if (edit.improve != improvement::thorough && edit.candidate->id() == before.id() &&
+      edit.notices.empty())
+    broken.push_back({changes_nothing, at + "the edit changed nothing and did not say so"});
+}
+
+/// What the working cases break. Runs them unless another check has told.
+std::vector<broken_rule> broken_rules(plugin_trial& b) {
+  if (b.the_plan().broken)
+    return *b.the_plan().broken;
   b.load();
-  for (const auto& c : b.the_plan().cases) {
-    const auto edit = b.succeed(c);
-    b.mark("checking the result on surface " + where(b, c));
-    for (const auto& fault : faults_of(*b.sample_of(c).mesh, edit))
-      if (rules.contains(fault.rule))
-        throw failure{"on surface " + where(b, c) + ": " + to_text(fault), remedy};
-  }
+  std::vector<broken_rule> broken;
+  for (const auto& c : b.the_plan().cases)
+    look_at(b, c, b.succeed(c), broken);
+  return broken;
+}
+
+/// Fails when a candidate of the working cases breaks one of these rules.
+std::string judge(plugin_trial& b, const std::set<std::string>& rules, const char* remedy) {
+  for (const auto& one : broken_rules(b))
+    if (rules.contains(one.rule))
+      throw failure{one.seen, remedy};
   return "holds in " + std::to_string(b.the_plan().cases.size()) + " edits";
 }
 
+void check_complete(const plugin_trial& b, const working_case& c, const edit_result& edit) {
+  const auto& mesh = *edit.candidate;
+  const auto at = "on surface " + where(b, c) + ": ";
+  if (!std::isfinite(edit.volume_change))
+    throw failure{at + "volume_change is not a finite number", "Compute it in m^3"};
+  for (const auto t : edit.touched)
+    if (t >= mesh.tet_slots() || !mesh.is_live_tet(t))
+      throw failure{at + "touched names tet " + std::to_string(t) + ", which is not there",
+                    "Hand back what mesh_builder::touched() returns"};
+  for (const auto id : c.surfaces)
+    if (std::ranges::find(edit.surfaces_used, id) == edit.surfaces_used.end())
+      throw failure{at + "surfaces_used leaves out the selected surface " + std::to_string(id),
+                    "Fill it with the selection as completed by the operation"};
+  for (const auto& notice : edit.notices)
+    if (notice.empty())
+      throw failure{at + "a notice is empty", "Say something, or leave it out"};
+}
+
+/// Tells those that come after it what else the results break.
 std::string complete(plugin_trial& b) {
   b.load();
+  std::vector<broken_rule> broken;
   for (const auto& c : b.the_plan().cases) {
     const auto edit = b.succeed(c);
-    const auto& mesh = *edit.candidate;
-    const auto at = "on surface " + where(b, c) + ": ";
-    if (!std::isfinite(edit.volume_change))
-      throw failure{at + "volume_change is not a finite number", "Compute it in m^3"};
-    for (const auto t : edit.touched)
-      if (t >= mesh.tet_slots() || !mesh.is_live_tet(t))
-        throw failure{at + "touched names tet " + std::to_string(t) + ", which is not there",
-                      "Hand back what mesh_builder::touched() returns"};
-    for (const auto id : c.surfaces)
-      if (std::ranges::find(edit.surfaces_used, id) == edit.surfaces_used.end())
-        throw failure{at + "surfaces_used leaves out the selected surface " + std::to_string(id),
-                      "Fill it with the selection as completed by the operation"};
-    for (const auto& notice : edit.notices)
-      if (notice.empty())
-        throw failure{at + "a notice is empty", "Say something, or leave it out"};
+    check_complete(b, c, edit);
+    look_at(b, c, edit, broken);
   }
+  for (const auto& one : broken)
+    b.say(std::string(breaks) + one.rule + "\t" + one.seen);
+  b.say(std::string(looked_at));
   return "touched tets, volume, surfaces and notices are filled in";
 }
 
@@ -74,15 +109,7 @@ std::string counts(plugin_trial& b) {
 }
 
 std::string regions(plugin_trial& b) {
-  b.load();
-  for (const auto& c : b.the_plan().cases) {
-    const auto edit = b.succeed(c);
-    for (const auto& row : b.sample_of(c).mesh->regions())
-      if (std::ranges::find(edit.candidate->regions(), row) == edit.candidate->regions().end())
-        throw failure{
-          "on surface " + where(b, c) + ": region " + std::to_string(row.id) + " left the table",
-          "Regions carry materials: keep the table as it is"};
-  }
+  (void)judge(b, {loses_region}, "Regions carry materials: keep the table as it is");
   return judge(b, {"untouched tets keep their region", "region is in the table"},
                "Give each new tet the region of the tet that it lies against");
 }
@@ -126,15 +153,7 @@ std::string quality(plugin_trial& b) {
 }
 
 std::string changes_something(plugin_trial& b) {
-  b.load();
-  for (const auto& c : b.the_plan().cases) {
-    const auto edit = b.succeed(c);
-    // What asks for a thorough optimisation leaves the change to the host.
-    if (edit.improve != improvement::thorough &&
-        edit.candidate->id() == b.sample_of(c).mesh->id() && edit.notices.empty())
-      throw failure{"the edit on surface " + where(b, c) + " changed nothing and did not say so",
-                    "Refuse what would change nothing, or say it in a notice"};
-  }
+  (void)judge(b, {changes_nothing}, "Refuse what would change nothing, or say it in a notice");
   return "every edit changed the mesh or said why not";
 }
 
