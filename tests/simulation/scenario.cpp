@@ -29,12 +29,14 @@ const char* name_of(step_kind kind) {
                              "list_documents",
                              "copy_document",
                              "delete_document",
+                             "machine_joins",
                              "drop_connection",
                              "read_slowly",
                              "worker_dies",
                              "worker_dies_with_job",
                              "worker_dies_after_answer",
                              "worker_hangs",
+                             "line_falls_silent",
                              "disk_full",
                              "disk_slow",
                              "server_dies"};
@@ -61,6 +63,25 @@ bool add_solves_and_deaths(scenario& to, std::size_t length) {
     to.steps.push_back({at + milliseconds(1), step_kind::solve, who, load_case});
   }
   return true;
+}
+
+/// In two of seven seeds machines join, and their lines have faults; those in tests are among the
+/// others.
+void add_machines(scenario& to, std::size_t length) {
+  using enum step_kind;
+  if (to.seed % 7 != 1 && to.seed % 7 != 4)
+    return;
+  dice random(to.seed ^ 0x4AC5);
+  const auto add = [&](step_kind kind) {
+    to.steps.push_back({milliseconds(random.below(length)), kind, random.below(3),
+                        static_cast<std::uint32_t>(random.next())});
+  };
+  for (auto n = 1 + random.below(4); n > 0; --n)
+    add(machine_joins);
+  constexpr std::array faults{worker_dies, line_falls_silent, line_falls_silent,
+                              worker_dies_after_answer};
+  for (auto n = random.below(5); n > 0; --n)
+    add(faults[random.below(faults.size())]);
 }
 
 }  // namespace
@@ -117,6 +138,8 @@ scenario make_scenario(std::uint64_t seed) {
   if (!random.one_in(4) && !has_deaths)
     for (auto n = 1 + random.below(4); n > 0; --n)
       add(what_befalls[random.below(what_befalls.size())], random.below(12), random.below(length));
+  if (!has_deaths)
+    add_machines(result, length);
   std::ranges::stable_sort(result.steps, {}, &scenario_step::at);
   for (auto& step : result.steps)
     if (step.kind == compare && step.value % 4 == 3)

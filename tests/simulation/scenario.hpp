@@ -32,21 +32,20 @@ enum class step_kind {
   list_documents,
   copy_document,
   delete_document,
+  machine_joins,    ///< With a worker of a role; after a restart of the server it does not.
   drop_connection,  ///< The client comes back and asks again for what it does not know.
   read_slowly,
   worker_dies,
   worker_dies_with_job,
   worker_dies_after_answer,
   worker_hangs,
+  line_falls_silent,  ///< Of a worker on another machine; one of this machine hangs.
   disk_full,
   disk_slow,
   server_dies,
 };
 
 [[nodiscard]] const char* name_of(step_kind kind);
-[[nodiscard]] inline bool is_fault(step_kind kind) {
-  return kind >= step_kind::drop_connection;
-}
 
 struct scenario_step {
   milliseconds at{0};

@@ -54,6 +54,13 @@ simulated_server::~simulated_server() {
   stage_.drain();
 }
 
+void simulated_server::join(std::size_t role) {
+  pools_.for_each([&](worker_role one, const auto& pool) {
+    if (static_cast<std::size_t>(one) == role % 3)
+      processes_[role % 3]->join(stage_.system(), caf::actor_cast<caf::actor>(pool));
+  });
+}
+
 caf::actor simulated_server::connect(std::shared_ptr<gateway::connection> from) {
   const auto made = stage_.system().spawn(gateway::make_client, std::move(from), parts_);
   clients_.push_back(made);

@@ -37,7 +37,11 @@ public:
   [[nodiscard]] caf::actor connect(std::shared_ptr<gateway::connection> from);
 
   bool step(milliseconds limit) { return stage_.step(limit); }
-  void strike(std::size_t role, worker_fault fault) { processes_[role % 3]->strike(fault); }
+  void strike(std::size_t role, worker_fault fault, std::size_t which) {
+    processes_[role % 3]->strike(fault, which);
+  }
+  /// A machine joins with a worker of this role.
+  void join(std::size_t role);
   [[nodiscard]] simulated_disks& disks() { return *disks_; }
 
   [[nodiscard]] const std::map<std::string, session_actor>& sessions() const;

@@ -75,6 +75,25 @@ TEST_F(Simulation, AFileOutlivesItsWorkerThatDiesAfterTheAnswer) {
   }
 }
 
+// A line that is silent for five seconds is taken as cut; what was to come over it is done by
+// another, and the machine comes back.
+TEST_F(Simulation, AnEditAndASolveOutliveSilentLines) {
+  using enum step_kind;
+  for (const auto& one : orders_of({{milliseconds(0), import, 0, 1},
+                                    {milliseconds(20'000), machine_joins, modeling, 0},
+                                    {milliseconds(20'000), machine_joins, solver, 0},
+                                    {milliseconds(20'000), set_load_case, 0, 0},
+                                    {milliseconds(40'000), line_falls_silent, modeling, 1},
+                                    {milliseconds(40'000), line_falls_silent, solver, 1},
+                                    {milliseconds(40'001), apply, 0, 1},
+                                    {milliseconds(60'000), solve, 0, 0},
+                                    {milliseconds(80'000), apply, 0, 1}})) {
+    const auto result = play(one, folder_);
+    EXPECT_THAT(result.faults, IsEmpty()) << "order " << one.seed;
+    EXPECT_THAT(result.errors, IsEmpty()) << "order " << one.seed;
+  }
+}
+
 // That two deaths are no reason to refuse is held against every seed. Of the seeds with three of
 // one role a few (the first is 5200) have a job that met them all: it is refused with `internal`.
 TEST_F(Simulation, AJobWhoseWorkersDieAgainAndAgainIsRefusedOnceAndByName) {

@@ -267,6 +267,11 @@ void simulated_processes::later(milliseconds wait, pid_t pid,
 }
 
 void simulated_processes::run(caf::actor_system& system, process& p) {
+  begin(system, p);
+  caf::anon_send(p.enlister, enlistment{p.pid, p.worker});
+}
+
+void simulated_processes::begin(caf::actor_system& system, process& p) {
   auto cache = std::make_shared<page_cache>(std::size_t{1} << 20);
   const auto pages = system.spawn(make_page_store, cache);
   p.pages = caf::actor_cast<caf::actor>(pages);
@@ -295,7 +300,52 @@ void simulated_processes::run(caf::actor_system& system, process& p) {
   jobs.pages_handle = p.pages;
   jobs.thread = caf::actor_cast<job_thread_actor>(p.thread);
   p.worker = spawn_role(system, role_, std::move(jobs));
-  caf::anon_send(p.enlister, enlistment{p.pid, p.worker});
+}
+
+namespace {
+
+/// To another machine: it ends with the process there.
+class simulated_line final : public lifeline {
+public:
+  simulated_line(std::weak_ptr<simulated_processes> machines, pid_t pid)
+      : machines_(std::move(machines)), pid_(pid) {}
+
+  std::optional<std::string> ended() override {
+    const auto all = machines_.lock();
+    return all && !all->reap(pid_) ? std::nullopt
+                                   : std::optional<std::string>("lost its connection");
+  }
+  void cut() override {
+    if (const auto all = machines_.lock())
+      all->kill(pid_);
+  }
+  [[nodiscard]] std::string name() const override { return "node rack-" + std::to_string(pid_); }
+
+private:
+  std::weak_ptr<simulated_processes> machines_;
+  pid_t pid_;
+};
+
+}  // namespace
+
+void simulated_processes::join(caf::actor_system& system, const caf::actor& pool) {
+  if (stopped_)
+    return;
+  auto& p = processes_.emplace_back();
+  p.pid = ++last_pid_;
+  begin(system, p);
+  p.come_back = [this, &system, pool] {
+    time_.after(milliseconds(1000 + time_.random.below(8000)),
+                [weak = weak_from_this(), &system, pool] {
+                  if (const auto all = weak.lock())
+                    all->join(system, pool);
+                });
+  };
+  remote_worker guest;
+  guest.worker = p.worker;
+  guest.line = std::make_shared<simulated_line>(weak_from_this(), p.pid);
+  guest.node.name = guest.line->name();
+  caf::anon_send(pool, guest);
 }
 
 std::optional<std::string> simulated_processes::reap(pid_t pid) {
@@ -318,18 +368,32 @@ void simulated_processes::end(process& p) {
   cut_off(p.pages);
   cut_off(p.worker);
   p.enlister = p.thread = p.pages = p.worker = nullptr;
+  if (const auto come_back = std::exchange(p.come_back, nullptr); come_back && !stopped_)
+    come_back();
 }
 
-void simulated_processes::strike(worker_fault fault) {
-  if (processes_.empty() || processes_.back().dead)
+void simulated_processes::strike(worker_fault fault, std::size_t which) {
+  std::vector<process*> there;
+  for (auto& p : processes_)
+    if (!p.dead)
+      there.push_back(&p);
+  if (there.empty()) {
     pending_ = fault;
-  else if (fault == worker_fault::dies)
-    end(processes_.back());
-  else
-    processes_.back().fate = fault;
+    return;
+  }
+  auto& p = *there[which % there.size()];
+  if (fault == worker_fault::dies)
+    return end(p);
+  // Of a process of this machine there is no line that could be silent.
+  const bool silent = fault == worker_fault::falls_silent && p.come_back;
+  p.fate = fault == worker_fault::falls_silent ? worker_fault::hangs : fault;
+  if (silent)
+    later(milliseconds(5000 + time_.random.below(1000)), p.pid,
+          [](simulated_processes& all, process& one) { all.end(one); });
 }
 
 void simulated_processes::stop() {
+  stopped_ = true;
   for (auto& p : processes_)
     end(p);
 }

@@ -20,6 +20,7 @@ enum class worker_fault {
   dies_with_job,      ///< At the end of its next job, before the answer.
   dies_after_answer,  ///< Its next job is answered, and nobody has fetched the result.
   hangs,              ///< In its next job, which never ends.
+  falls_silent,       ///< Nothing comes over its line, which after some seconds is taken as cut.
 };
 
 /// The part that a file "part N" holds, as the workers of a simulation read it.
@@ -41,8 +42,11 @@ public:
   std::optional<std::string> reap(pid_t pid) override;
   void kill(pid_t pid) override;
 
-  /// For the youngest process; for the next one when none runs.
-  void strike(worker_fault fault);
+  /// A worker on another machine joins this pool; after each of its ends it comes back.
+  void join(caf::actor_system& system, const caf::actor& pool);
+
+  /// For one of those that run, `which` of them; for the next one when none does.
+  void strike(worker_fault fault, std::size_t which);
 
   /// Ends all.
   void stop();
@@ -54,11 +58,14 @@ public:
     caf::actor pages;
     caf::actor thread;
     std::optional<worker_fault> fate;  ///< Of the next job.
+    std::function<void()> come_back;   ///< Of one on another machine.
     bool dead = false;
   };
 
 private:
   void run(caf::actor_system& system, process& p);
+  /// Its actors.
+  void begin(caf::actor_system& system, process& p);
   void end(process& p);
   /// After a while, if there is still such a process, and a server.
   void later(milliseconds wait, pid_t pid,
@@ -69,6 +76,7 @@ private:
   pid_t last_pid_ = 0;
   std::list<process> processes_;
   std::optional<worker_fault> pending_;
+  bool stopped_ = false;
 };
 
 }  // namespace tedit::simulation

@@ -77,6 +77,12 @@ private:
         return strike(step, worker_fault::dies_after_answer);
       case worker_hangs:
         return strike(step, worker_fault::hangs);
+      case machine_joins:
+        if (server_)
+          server_->join(step.who);
+        return;
+      case line_falls_silent:
+        return strike(step, worker_fault::falls_silent);
       case disk_full:
         if (server_)
           server_->disks().fail_commits(1 + static_cast<int>(step.value % 3));
@@ -94,7 +100,7 @@ private:
 
   void strike(const scenario_step& step, worker_fault fault) {
     if (server_)
-      server_->strike(step.who, fault);
+      server_->strike(step.who, fault, step.value);
   }
 
   void kill_server() {
