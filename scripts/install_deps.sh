@@ -1,21 +1,24 @@
 #!/usr/bin/env bash
 # Installs what TEdit is built with, from Debian 12's own packages. Does nothing when all is there.
-# usage: scripts/install_deps.sh [--check-only] [--no-web]
+# usage: scripts/install_deps.sh [--check-only] [--no-web | --server]
 #   --no-web  without what only the client in TypeScript and its tests need (some 400 packages)
+#   --server  only what server, workers and commands are built with: no window, pictures, translations, clients, tests
 set -euo pipefail
 check_only=no
 web=yes
+all=yes
 for option in "$@"; do
   case "$option" in
     --check-only) check_only=yes ;;
     --no-web) web=no ;;
+    --server) all=no ;;
     *) echo "unknown option $option" >&2; exit 2 ;;
   esac
 done
 
 packages=(
   # toolchain
-  g++ cmake ninja-build ccache pkg-config git python3 ca-certificates clang-format clang-tidy-16
+  g++ cmake ninja-build pkg-config git python3 ca-certificates
   # libraries
   libcaf-dev libboost-dev libboost-system-dev libprotobuf-dev protobuf-compiler libspdlog-dev
   libfmt-dev libcli11-dev libexpected-dev libtomlplusplus-dev libeigen3-dev libcgal-dev
@@ -25,23 +28,30 @@ packages=(
   libocct-data-exchange-dev libocct-ocaf-dev libocct-modeling-algorithms-dev libgmsh-dev
   # MED files in and out (the build works without)
   libmedc-dev
-  # Vulkan: loader, shader compiler, the software device and the validation layers
-  libvulkan-volk-dev libvulkan-dev glslang-tools spirv-tools mesa-vulkan-drivers
-  vulkan-validationlayers
+  # Vulkan: loader, shader compiler
+  libvulkan-volk-dev libvulkan-dev glslang-tools spirv-tools
+  # Debian packages
+  dpkg-dev file
+  # the HTML manual (the build works without)
+  python3-markdown
+)
+[ "$all" = no ] || packages+=(
+  # for who works on it
+  ccache clang-format clang-tidy-16
+  # Vulkan: the software device and the validation layers
+  mesa-vulkan-drivers vulkan-validationlayers
   # pictures
   libvtk9-dev libgl1-mesa-dri xvfb xauth
   # the desktop client
   qt6-base-dev libqt6opengl6-dev libqt6openglwidgets6 qt6-svg-dev qt6-qpa-plugins libgl-dev
-  # Debian packages
-  dpkg-dev file
-  # translations of the window and the HTML manual (the build works without)
-  qt6-l10n-tools python3-markdown
+  # translations of the window (the build works without)
+  qt6-l10n-tools
   # the client in Python
   python3-protobuf python3-websockets python3-numpy
   # tests
   libgtest-dev libgmock-dev librapidcheck-dev calculix-ccx poppler-utils
 )
-if [ "$web" = yes ]; then
+if [ "$web$all" = yesyes ]; then
   packages+=(chromium)
   # Node of another source brings npm along and does not suffer Debian's.
   command -v node >/dev/null && command -v npm >/dev/null || packages+=(nodejs npm)
