@@ -167,6 +167,27 @@ TEST_F(SlowLine, ALineThatBreaksInTheMiddleOfAStreamLosesNothing) {
   EXPECT_EQ(truth().versions.size(), 2U);
 }
 
+TEST_F(SlowLine, FieldsThatAreHereDoNotComeAgain) {
+  window->tools().documents.open_file(plate(), {loads()});
+  ASSERT_TRUE(wait([&] { return is_final(); }));
+  window->tools().results.panel().set_field(shown_field::safety_factor);
+  ASSERT_TRUE(wait([&] { return view().painted().extremes.has_value(); }));
+  const auto before = part().head()->fields;
+  ASSERT_EQ(before.size(), 1U);
+
+  line->cut(false);
+  ASSERT_TRUE(wait([&] { return window->context().link.current() != remote::state::connected; }));
+  ASSERT_TRUE(wait([&] {
+    return window->context().link.current() == remote::state::connected &&
+           window->context().link.running() == 0 && is_final();
+  }));
+  EXPECT_EQ(part().head()->fields, before);
+  // An edit is solved as before, and its field has what is shown.
+  part().edits().apply({"fill_hole", {1, 2}, {}});
+  ASSERT_TRUE(wait([&] { return version() == 1 && is_final(); }));
+  EXPECT_FALSE(part().head()->fields.front()->values.of("safety_factor").empty());
+}
+
 TEST_F(SlowLine, PreviewsFollowTheLastValueOverIt) {
   open_plate(false);
   window->context().picked.set({7});
