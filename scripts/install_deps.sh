@@ -18,7 +18,7 @@ done
 
 packages=(
   # toolchain
-  g++ cmake ninja-build pkg-config git python3 ca-certificates
+  g++ cmake ninja-build ccache pkg-config git python3 ca-certificates
   # libraries
   libcaf-dev libboost-dev libboost-system-dev libprotobuf-dev protobuf-compiler libspdlog-dev
   libfmt-dev libcli11-dev libexpected-dev libtomlplusplus-dev libeigen3-dev libcgal-dev
@@ -37,7 +37,7 @@ packages=(
 )
 [ "$all" = no ] || packages+=(
   # for who works on it
-  ccache clang-format clang-tidy-16
+  clang-format clang-tidy-16
   # Vulkan: the software device and the validation layers
   mesa-vulkan-drivers vulkan-validationlayers
   # pictures
