@@ -368,8 +368,9 @@ export class Document {
   watchAgain(): MessageInitShape<typeof WatchFieldsSchema> {
     const last = this.solves.at(-1) ?? [];
     const complete = last.every(({ report, arrays }) => !report || this.watched.every((name) => arrays.components(name) > 0));
-    const held = complete && last.at(-1)?.versionId === this.head?.versionId;
-    return { document: this.name, quantities: [...this.watched], heldSolve: held ? last.at(-1)?.message.solve : undefined };
+    const field = last.at(-1);
+    const held = complete && field !== undefined && field.versionId === this.head?.versionId;
+    return { document: this.name, quantities: [...this.watched], heldSolve: held ? field.message.solve : 0n };
   }
 
   /** Those that are meant come after the answer. */
