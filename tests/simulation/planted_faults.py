@@ -54,8 +54,6 @@ FAULTS = [
      "  if (work)\n    try_again(std::move(*work), how);", "  if (work && !FAULT)\n    try_again(std::move(*work), how);"),
     ("a worker gets work while it has some", "actors/supervisor/placement.cpp",
      "!c.is_there() || c.work ||", "!c.is_there() || (c.work && !FAULT) ||"),
-    ("the end of another machine's line is nobody's death", "actors/supervisor/remote_workers.cpp",
-     "  self->monitor(c.worker);\n", "  if (!FAULT)\n    self->monitor(c.worker);\n"),
     ("a batch of pages is not counted off", "actors/pages/page_store.cpp", "--transfer.in_flight;", LEFT_OUT),
     ("an answered request is kept", "actors/gateway/client_actor.cpp",
      "end(id);\n  message.set_request_id(id);", "if (!FAULT)\n    end(id);\n  message.set_request_id(id);"),
