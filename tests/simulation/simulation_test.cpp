@@ -75,8 +75,8 @@ TEST_F(Simulation, AFileOutlivesItsWorkerThatDiesAfterTheAnswer) {
   }
 }
 
-// A line that is silent for five seconds is taken as cut; what was to come over it is done by
-// another, and the machine comes back.
+// The machine that joined has all the work while the server's own worker is started again, and its
+// line is silent for five seconds, which is taken as cut: the own one does it then.
 TEST_F(Simulation, AnEditAndASolveOutliveSilentLines) {
   using enum step_kind;
   for (const auto& one : orders_of({{milliseconds(0), import, 0, 1},
@@ -84,9 +84,11 @@ TEST_F(Simulation, AnEditAndASolveOutliveSilentLines) {
                                     {milliseconds(20'000), machine_joins, solver, 0},
                                     {milliseconds(20'000), set_load_case, 0, 0},
                                     {milliseconds(40'000), line_falls_silent, modeling, 1},
-                                    {milliseconds(40'000), line_falls_silent, solver, 1},
-                                    {milliseconds(40'001), apply, 0, 1},
-                                    {milliseconds(60'000), solve, 0, 0},
+                                    {milliseconds(40'001), worker_dies, modeling, 0},
+                                    {milliseconds(40'002), apply, 0, 1},
+                                    {milliseconds(60'000), line_falls_silent, solver, 1},
+                                    {milliseconds(60'001), worker_dies, solver, 0},
+                                    {milliseconds(60'002), solve, 0, 0},
                                     {milliseconds(80'000), apply, 0, 1}})) {
     const auto result = play(one, folder_);
     EXPECT_THAT(result.faults, IsEmpty()) << "order " << one.seed;
