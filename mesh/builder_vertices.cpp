@@ -49,7 +49,8 @@ void mesh_builder::count_all_tets() {
   tets_at_.assign(vertex_slots(), 0);
   for (tet_id t = 0; t < tets_.size(); ++t)
     if (is_live_tet(t))
-      count_tets(tets_[t], 1);
+      for (const auto v : tets_[t].v)
+        ++tets_at_[v];
 }
 
 }  // namespace tedit

@@ -29,6 +29,10 @@ constexpr double least_quality = lowest_boolean_quality;
 constexpr double flush_tolerance = 1e-4;
 constexpr double flush_layer = 0.15;
 
+/// How far around the tool's box facets are looked for, as a share of it: a bit more than
+/// `cavity_finder` asks for.
+constexpr double near_share = 0.06;
+
 /// What moves less than this share of the local size has stayed where it was asked to be.
 constexpr double exact = 1e-4;
 
@@ -61,11 +65,17 @@ public:
         request_(request),
         run_(run),
         size_(local_size(*mesh, tool)) {
-    flush_ = make_flush(*mesh, tool, request.mode, flush_tolerance * size_, flush_layer * size_);
+    find_near(tool);
+    flush_ =
+      make_flush(*mesh, tool, request.mode, near_, flush_tolerance * size_, flush_layer * size_);
   }
 
   expected<boolean_result> best() {
-    const cavity_finder finder(*mesh_, flush_.tool, request_.mode);
+    std::vector<surface_id> moved;
+    for (const auto& id : continues_)
+      if (id)
+        moved.push_back(*id);
+    const cavity_finder finder(*mesh_, flush_.tool, request_.mode, near_, moved);
     // Somebody waits: a large tool is tried fewer times. Not by the clock: the same edit gives the
     // same version everywhere.
     const std::size_t tries = flush_.tool.triangles.size() > many_triangles ? 2 : ways.size();
@@ -108,6 +118,24 @@ public:
   }
 
 private:
+  /// All facets that anything of the boolean looks at, ascending.
+  void find_near(const tool_surface& tool) {
+    box extent;
+    for (const auto& p : tool.points)
+      extent.add(p);
+    // The tool may get a layer all around.
+    extent = extent.grown((flush_tolerance + 2 * flush_layer) * size_);
+    extent = extent.grown(near_share * norm(extent.high - extent.low));
+    for (facet_id f = 0; f < mesh_->facet_slots(); ++f) {
+      if (!mesh_->is_live_facet(f))
+        continue;
+      const auto& v = mesh_->facet(f).v;
+      if (extent.meets(box_of(
+            std::array{mesh_->position(v[0]), mesh_->position(v[1]), mesh_->position(v[2])})))
+        near_.push_back(f);
+    }
+  }
+
   /// As a share of what the part had there.
   static bool is_better(const boolean_result& one, const boolean_result& other) {
     const auto kept = [](const boolean_result& r) {
@@ -145,8 +173,11 @@ private:
   }
 
   [[nodiscard]] expected<corefined> cut_of(const cavity& hollow, const execution& run) const {
-    auto cut = corefine(hollow.surface, hollow.triangles_of_shares(), as_surface(flush_.tool),
-                        request_.mode, planes_in(hollow), run);
+    std::vector<solid_share> shares;
+    for (const auto& share : hollow.shares)
+      shares.push_back({share.last - share.first, share.stays});
+    auto cut = corefine(hollow.surface, shares, as_surface(flush_.tool), request_.mode,
+                        planes_in(hollow), run);
     if (!cut || hollow.shares.size() == 1)
       return cut;
     return join_shares(hollow, std::move(*cut));
@@ -255,6 +286,7 @@ private:
   const boolean_request& request_;
   const execution& run_;
   double size_ = 0;
+  std::vector<facet_id> near_;
   flush_tool flush_;
 };
 

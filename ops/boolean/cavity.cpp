@@ -9,6 +9,8 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "ops/boolean/tets_in_box.hpp"
+
 namespace tedit::ops {
 
 namespace {
@@ -19,6 +21,11 @@ constexpr double reaches_in = 1e-6;
 /// Where two regions have to agree, one that is no further off touches it, too: it may be put on
 /// their interface.
 constexpr double nearly_touches = 1e-3;
+
+/// How far around the tool's box tets are looked at, as shares of it: those that it only touches
+/// hang together outside of it, those that nearly touch it lie there.
+constexpr double around = 1e-6;
+constexpr double around_bonded = 0.05;
 
 using points3 = std::array<vec3, 3>;
 using points4 = std::array<vec3, 4>;
@@ -180,7 +187,7 @@ private:
 
 /// The closed surface of each region, and what is behind.
 void add_shares(cavity& result, const mesh_version& mesh, const growing_cavity& grown,
-                const std::vector<region_id>& regions) {
+                const std::vector<region_id>& regions, const auto& stays) {
   std::unordered_map<vertex_id, std::uint32_t> place;
   for (const auto region : regions) {
     const auto first = static_cast<std::uint32_t>(result.surface.triangles.size());
@@ -205,7 +212,7 @@ void add_shares(cavity& result, const mesh_version& mesh, const growing_cavity& 
     });
     const auto last = static_cast<std::uint32_t>(result.surface.triangles.size());
     if (last > first || result.shares.empty())
-      result.shares.push_back({region, first, last});
+      result.shares.push_back({region, first, last, stays(region)});
   }
 }
 
@@ -256,7 +263,9 @@ bool is_inside(const tool_surface& tool, vec3 p) {
   return std::abs(angle) > 2 * std::numbers::pi;
 }
 
-cavity_finder::cavity_finder(const mesh_version& mesh, const tool_surface& tool, boolean_mode mode)
+cavity_finder::cavity_finder(const mesh_version& mesh, const tool_surface& tool, boolean_mode mode,
+                             const std::vector<facet_id>& near_facets,
+                             const std::vector<surface_id>& moved)
     : mesh_(mesh),
       tool_(tool),
       mode_(mode),
@@ -264,14 +273,15 @@ cavity_finder::cavity_finder(const mesh_version& mesh, const tool_surface& tool,
       tree_(boxes_of(tool)),
       is_crossed_(mesh.tet_slots()),
       is_inside_(mesh.tet_slots()) {
-  box extent;
-  for (const auto& p : tool.points)
-    extent.add(p);
-  std::vector<tet_id> near;
-  for (tet_id t = 0; t < mesh.tet_slots(); ++t)
-    if (mesh.is_live_tet(t) && extent.meets(reach_of(mesh.corners(t))))
-      near.push_back(t);
+  const box extent = tree_.extent();
+  auto near = tets_in_box(
+    mesh, extent.grown((bonded_ ? around_bonded : around) * norm(extent.high - extent.low)),
+    near_facets);
+  std::erase_if(near, [&](tet_id t) { return !extent.meets(reach_of(mesh.corners(t))); });
   find_crossed(near);
+  if (bonded_)
+    stuck_ = facets_of_tool();
+  find_owners(moved);
   sort_sides(near);
 }
 
@@ -323,9 +333,11 @@ void cavity_finder::sort_sides(const std::vector<tet_id>& near) {
       }
     if (leaks || !is_within(first))
       continue;
-    for (const auto t : piece)
-      is_inside_[t] = 1;
-    within_.insert(within_.end(), piece.begin(), piece.end());
+    for (const auto t : piece) {
+      const bool kept = mode_ == boolean_mode::cut && stays(mesh_.region_of(t));
+      is_inside_[t] = !kept;
+      (kept ? kept_within_ : within_).push_back(t);
+    }
   }
 }
 
@@ -338,10 +350,14 @@ std::vector<region_id> cavity_finder::regions_of_edit() const {
       if (std::ranges::find(regions, mesh_.region_of(t)) == regions.end())
         regions.push_back(mesh_.region_of(t));
   };
+  if (!bonded_ && !crossed_.empty())
+    return {mesh_.region_of(crossed_.front())};
   note(changed());
-  note(stuck_to());
+  for (const auto f : stuck_)
+    note({mesh_.facet(f).tet});
   if (bonded_)
     note(crossed_);
+  note(kept_within_);
   if (regions.empty())
     regions.push_back(crossed_.empty() ? region_id{0} : mesh_.region_of(crossed_.front()));
   std::ranges::sort(regions);
@@ -363,20 +379,34 @@ std::vector<tet_id> cavity_finder::changed() const {
   return result;
 }
 
-/// Tets with a facet whose corners are points of the tool.
-std::vector<tet_id> cavity_finder::stuck_to() const {
+/// Facets whose corners are points of the tool.
+std::vector<facet_id> cavity_finder::facets_of_tool() const {
   const auto less = [](vec3 a, vec3 b) {
     return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
   };
   std::set<vec3, decltype(less)> points(tool_.points.begin(), tool_.points.end(), less);
-  std::vector<tet_id> result;
+  std::vector<facet_id> result;
   for (const auto t : crossed_)
     for (const auto n : mesh_.neighbours(t))
       if (is_facet(n) && std::ranges::all_of(mesh_.facet(n & ~facet_flag).v, [&](vertex_id v) {
             return points.contains(mesh_.position(v));
           }))
-        result.push_back(t);
+        result.push_back(n & ~facet_flag);
   return result;
+}
+
+void cavity_finder::find_owners(const std::vector<surface_id>& moved) {
+  if (!bonded_)
+    return;
+  for (const auto f : stuck_) {
+    const auto region = mesh_.region_of(mesh_.facet(f).tet);
+    if (std::ranges::count(moved, mesh_.facet(f).surface) && !std::ranges::count(owners_, region))
+      owners_.push_back(region);
+  }
+}
+
+bool cavity_finder::stays(region_id region) const {
+  return !owners_.empty() && !std::ranges::count(owners_, region);
 }
 
 expected<cavity> cavity_finder::find(int rings) const {
@@ -392,9 +422,16 @@ expected<cavity> cavity_finder::find(int rings) const {
   for (const auto t : crossed_)
     if (takes_part(t))
       grown.add(t);
-  if (mode_ == boolean_mode::add)
-    for (const auto t : within_)
+  // What is added, or taken from one of two regions alone, ends at tets that stay.
+  const auto is_beside_kept = [&](tet_id t) {
+    return std::ranges::any_of(mesh_.neighbours(t),
+                               [&](auto n) { return !is_facet(n) && stays(mesh_.region_of(n)); });
+  };
+  for (const auto t : within_)
+    if (mode_ == boolean_mode::add || (!owners_.empty() && is_beside_kept(t)))
       grown.add(t);
+  for (const auto t : kept_within_)
+    grown.add(t);
   for (int ring = 0; ring < rings; ++ring)
     grown.add_ring([&](tet_id t) { return (is_inside_[t] != 0) == keeps_inside && takes_part(t); });
   if (!grown.grow_until_clean(regions))
@@ -411,7 +448,7 @@ expected<cavity> cavity_finder::find(int rings) const {
       if (mesh_.is_live_tet(t) && !grown.holds_tet(t) && !is_inside_[t])
         result.gone.push_back(t);
   }
-  add_shares(result, mesh_, grown, regions);
+  add_shares(result, mesh_, grown, regions, [&](region_id region) { return stays(region); });
   if (result.shares.size() > 1)
     join_twins(result, mesh_);
   return result;

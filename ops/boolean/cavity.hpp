@@ -25,14 +25,9 @@ struct cavity {
     region_id region = 0;
     std::uint32_t first = 0;
     std::uint32_t last = 0;
+    bool stays = false;  ///< The tool takes nothing of it and puts nothing on it.
   };
 
-  [[nodiscard]] std::vector<std::uint32_t> triangles_of_shares() const {
-    std::vector<std::uint32_t> result;
-    for (const auto& share : shares)
-      result.push_back(share.last - share.first);
-    return result;
-  }
   [[nodiscard]] std::int32_t share_of(std::size_t triangle) const {
     std::int32_t share = 0;
     while (triangle >= shares[share].last)
@@ -52,8 +47,13 @@ struct cavity {
 /// that stays, so that there is room for good tets.
 class cavity_finder {
 public:
-  /// Cost: O(tet slots), and O(tets in the tool's box).
-  cavity_finder(const mesh_version& mesh, const tool_surface& tool, boolean_mode mode);
+  /// @param moved surfaces that faces of the tool continue. A tool that has facets of one for its
+  /// own moves that wall: regions that none of these facets bounds stay as they are.
+  /// @param near all live facets that meet the tool's box grown by a twentieth; there may be more.
+  /// Cost: O(facets near + tets in the tool's box); O(tet slots) for a tool far within the part, or
+  /// one as large as it.
+  cavity_finder(const mesh_version& mesh, const tool_surface& tool, boolean_mode mode,
+                const std::vector<facet_id>& near, const std::vector<surface_id>& moved);
 
   /// Errors: `empty_selection` where the tool meets nothing, `mesher_failed` where the part itself
   /// is no clean solid. Cost: O(cavity), and O(interface facets) where there are several regions.
@@ -66,7 +66,9 @@ private:
   [[nodiscard]] bool is_within(tet_id t) const;
   [[nodiscard]] std::vector<region_id> regions_of_edit() const;
   [[nodiscard]] std::vector<tet_id> changed() const;
-  [[nodiscard]] std::vector<tet_id> stuck_to() const;
+  [[nodiscard]] std::vector<facet_id> facets_of_tool() const;
+  void find_owners(const std::vector<surface_id>& moved);
+  [[nodiscard]] bool stays(region_id region) const;
 
   const mesh_version& mesh_;
   const tool_surface& tool_;
@@ -74,7 +76,10 @@ private:
   bool bonded_;    ///< The part has several regions.
   box_tree tree_;  ///< Of the tool's triangles.
   std::vector<tet_id> crossed_;
-  std::vector<tet_id> within_;            ///< Wholly inside the tool.
+  std::vector<tet_id> within_;            ///< Wholly inside the tool, and taken by it.
+  std::vector<tet_id> kept_within_;       ///< Wholly inside, of regions that stay.
+  std::vector<facet_id> stuck_;           ///< Facets that the tool has for its own.
+  std::vector<region_id> owners_;         ///< Regions that do not stay; none: all of them.
   std::vector<std::uint8_t> is_crossed_;  ///< By tet slot.
   std::vector<std::uint8_t> is_inside_;   ///< By tet slot: of `within_`.
 };

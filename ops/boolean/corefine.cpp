@@ -18,7 +18,7 @@ void append(std::vector<char>& bytes, const T* first, std::size_t count) {
   bytes.insert(bytes.end(), raw, raw + count * sizeof(T));
 }
 
-std::vector<char> question(const closed_surface& first, const std::vector<std::uint32_t>& shares,
+std::vector<char> question(const closed_surface& first, const std::vector<solid_share>& shares,
                            const closed_surface& second, boolean_mode mode,
                            const std::vector<shared_plane>& planes,
                            std::chrono::milliseconds computing) {
@@ -38,7 +38,10 @@ std::vector<char> question(const closed_surface& first, const std::vector<std::u
     append(bytes, s->points.data(), s->points.size());
     append(bytes, s->triangles.data(), s->triangles.size());
   }
-  append(bytes, shares.data(), shares.size());
+  for (const auto& share : shares) {
+    const corefine_share row{share.triangles, share.stays ? 1u : 0u};
+    append(bytes, &row, 1);
+  }
   for (const auto& plane : planes) {
     corefine_plane row{{plane.normal.x, plane.normal.y, plane.normal.z}, plane.offset, {}};
     for (int i = 0; i < 2; ++i)
@@ -110,7 +113,7 @@ bool fits(const corefined& result, const closed_surface& first, const closed_sur
 
 }  // namespace
 
-expected<corefined> corefine(const closed_surface& first, const std::vector<std::uint32_t>& shares,
+expected<corefined> corefine(const closed_surface& first, const std::vector<solid_share>& shares,
                              const closed_surface& second, boolean_mode mode,
                              const std::vector<shared_plane>& planes, const execution& run) {
   // CGAL comes back in a hundredth of this, or not at all.

@@ -25,14 +25,21 @@ struct corefined {
   double volume_change = 0;  ///< m^3: of the result less that of the first surface.
 };
 
+/// One of several closed surfaces that touch.
+struct solid_share {
+  std::uint32_t triangles = 0;
+  bool stays = false;  ///< It gets the other surface's edges only.
+};
+
 /// The exact boolean of two closed surfaces, in the program `tedit-mesher` under limits. The first
-/// one may be several that touch, each of so many triangles: each is combined, or where something
-/// is added the one of which most is covered gets what is outside of the others, which get its
-/// edges. What two of the results have in common is there twice (see `join_shares`). Errors:
+/// one may be several that touch, its shares: each that does not stay is combined, or where
+/// something is added the one of those of which most is covered gets what is outside of the others,
+/// which get its edges. What two of the results have in common is there twice (see `join_shares`).
+/// Errors:
 /// `invalid_argument` where the second passes through itself, `mesher_failed` naming the reason,
 /// `timeout`, `cancelled`, `service_unavailable`. Cost: 10 ms and 10 us a triangle.
 [[nodiscard]] expected<corefined> corefine(const closed_surface& first,
-                                           const std::vector<std::uint32_t>& shares,
+                                           const std::vector<solid_share>& shares,
                                            const closed_surface& second, boolean_mode mode,
                                            const std::vector<shared_plane>& planes,
                                            const execution& run);

@@ -187,16 +187,16 @@ private:
   std::set<triangle> known_;
 };
 
-std::vector<near_triangle> triangles_near(const mesh_version& mesh, const box& extent) {
+std::vector<near_triangle> triangles_near(const mesh_version& mesh,
+                                          const std::vector<facet_id>& near, const box& extent) {
   std::vector<near_triangle> result;
   const auto add = [&](const std::array<vertex_id, 3>& v, bool between) {
     if (extent.meets(
           box_of(std::array{mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2])})))
       result.push_back({v, between});
   };
-  for (facet_id f = 0; f < mesh.facet_slots(); ++f)
-    if (mesh.is_live_facet(f))
-      add(mesh.facet(f).v, false);
+  for (const auto f : near)
+    add(mesh.facet(f).v, false);
   for (std::size_t i = 0; i < mesh.data().interfaces.size(); ++i)
     add(mesh.data().interfaces[i].v, true);
   return result;
@@ -205,12 +205,12 @@ std::vector<near_triangle> triangles_near(const mesh_version& mesh, const box& e
 }  // namespace
 
 flush_tool make_flush(const mesh_version& mesh, const tool_surface& tool, boolean_mode mode,
-                      double tolerance, double layer) {
+                      const std::vector<facet_id>& near_facets, double tolerance, double layer) {
   flush_tool result{tool, {}};
   box extent;
   for (const auto& p : tool.points)
     extent.add(p);
-  const auto near = triangles_near(mesh, extent.grown(tolerance + layer));
+  const auto near = triangles_near(mesh, near_facets, extent.grown(tolerance + layer));
   const facet_copies copies(mesh, near);
   for (std::uint32_t face = 0; face < tool.names.size(); ++face) {
     const auto at = plane_of(tool, face);

@@ -23,8 +23,10 @@ struct flush_tool {
 /// Faces of the tool that are flush with facets of the part, within `tolerance` (m). Where the two
 /// must not meet in a sheet of no thickness (a cut whose tool ends at the part's outside, an
 /// addition that stands on it) the tool gets a layer of `layer` (m) there, if nothing of
-/// the part reaches into it; the others are told. Cost: O(facet slots).
+/// the part reaches into it; the others are told. Cost: O(faces of the tool x facets near).
+/// @param near all live facets that meet the tool's box grown by both; there may be more.
 [[nodiscard]] flush_tool make_flush(const mesh_version& mesh, const tool_surface& tool,
-                                    boolean_mode mode, double tolerance, double layer);
+                                    boolean_mode mode, const std::vector<facet_id>& near,
+                                    double tolerance, double layer);
 
 }  // namespace tedit::ops

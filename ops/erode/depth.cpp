@@ -63,12 +63,16 @@ private:
 
 expected<void> cut_off(mesh_builder& mesh, const surface_patch& patch, double depth, context& ctx,
                        erosion_sum& sum) {
+  const auto region = mesh.region_of(mesh.facet(patch.facets.front()).tet);
   slab below(mesh, patch, depth);
   if (auto ok = below.cut(ctx.run); !ok)
     return fail(ok.error());
   auto removed = below.tets();
   if (!removed)
     return fail(removed.error());
+  // What lies below a wall may belong to another region: planes do not end there.
+  if (std::ranges::any_of(*removed, [&](tet_id t) { return mesh.region_of(t) != region; }))
+    return fail(ec::mesher_failed, "below the wall lies another region");
   const auto settled = settle_removal(mesh, *removed, sum.policy);
   if (!settled)
     return fail(settled.error());

@@ -2,6 +2,7 @@
 #include "ops/erode/layers.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "base/text.hpp"
 #include "mesh/optimize/smooth_surface.hpp"
@@ -31,12 +32,23 @@ std::unordered_set<vertex_id> inner_vertices(const mesh_builder& mesh,
   return inside;
 }
 
+std::set<region_id> regions_at(const mesh_builder& mesh, const std::vector<surface_id>& surfaces) {
+  std::set<region_id> result;
+  for (facet_id f = 0; f < mesh.facet_slots(); ++f)
+    if (mesh.is_live_facet(f) && std::ranges::count(surfaces, mesh.facet(f).surface))
+      result.insert(mesh.region_of(mesh.facet(f).tet));
+  return result;
+}
+
+/// Of these regions alone: where another one begins the layers end.
 std::unordered_set<tet_id> layer_below(const mesh_builder& mesh,
-                                       const std::unordered_set<vertex_id>& inside) {
+                                       const std::unordered_set<vertex_id>& inside,
+                                       const std::set<region_id>& regions) {
   std::unordered_set<tet_id> layer;
   for (const auto v : inside)
     for (const auto t : mesh.star(v))
-      layer.insert(t);
+      if (regions.contains(mesh.region_of(t)))
+        layer.insert(t);
   return layer;
 }
 
@@ -58,12 +70,13 @@ expected<void> erode_layers(mesh_builder& mesh, const std::vector<surface_id>& s
                             context& ctx, erosion_sum& sum) {
   const auto fresh = mesh.add_surface("eroded " + list_of(surfaces));
   sum.fresh.push_back(fresh);
+  const auto regions = regions_at(mesh, surfaces);
   auto current = surfaces;
   for (int layer = 1; layer <= layers; ++layer) {
     if (ctx.run.cancel.cancelled())
       return fail(ec::cancelled, "the edit was cancelled");
     ctx.run.report(0.1 + 0.6 * (layer - 1) / layers, "taking off a layer");
-    auto removed = layer_below(mesh, inner_vertices(mesh, current));
+    auto removed = layer_below(mesh, inner_vertices(mesh, current), regions);
     if (removed.empty())
       return nothing_to_take(surfaces, layer);
     const auto settled = settle_removal(mesh, removed, sum.policy);

@@ -11,8 +11,8 @@ namespace tedit::ops {
 /// Which surface a face belongs to that a removal lays bare.
 using surface_of_face = std::function<surface_id(const std::array<vertex_id, 3>& face)>;
 
-/// Takes the tets out; every face laid bare gets its surface from `name`. Errors: those of
-/// `mesh_builder::apply`.
+/// Takes the tets out; every face laid bare gets its surface from `name`, but one between regions
+/// that has an id keeps it. Errors: those of `mesh_builder::apply`. Cost: also O(interface facets).
 [[nodiscard]] expected<void> take_off(mesh_builder& mesh, const std::unordered_set<tet_id>& removed,
                                       const surface_of_face& name);
 

@@ -200,6 +200,13 @@ bool operate(std::uint32_t mode, tracked& one, tracked& other, tracked& out) {
                      : pmp::corefine_and_compute_intersection(one.mesh, other.mesh, out.mesh, told);
 }
 
+/// Both get each other's edges.
+void imprint(tracked& one, tracked& other) {
+  parent_keeper keeper;
+  keeper.of = {&one, &other, &other};
+  pmp::corefine(one.mesh, other.mesh, CGAL::parameters::visitor(keeper));
+}
+
 place rounded(const point& p) {
   CGAL::exact(p);
   return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
@@ -295,7 +302,7 @@ bool meets_itself(const soup& s) {
 class combination {
 public:
   combination(std::uint32_t mode, const std::array<soup, 2>& in,
-              const std::vector<std::uint32_t>& shares, const std::vector<plane_points>& planes)
+              const std::vector<corefine_share>& shares, const std::vector<plane_points>& planes)
       : mode_(mode),
         in_(in),
         shares_(shares),
@@ -311,8 +318,8 @@ private:
   corefine_status run() {
     std::vector<tracked> first(shares_.size());
     std::uint32_t from = 0;
-    for (std::size_t i = 0; i < shares_.size(); from += shares_[i++]) {
-      const auto own = std::span(in_[0].triangles).subspan(from, shares_[i]);
+    for (std::size_t i = 0; i < shares_.size(); from += shares_[i++].triangles) {
+      const auto own = std::span(in_[0].triangles).subspan(from, shares_[i].triangles);
       if (!fan_builder(own, exact_[0], first[i].mesh)
              .build(first[i].parent, static_cast<std::int32_t>(from), false))
         return corefine_status::first_not_manifold;
@@ -328,6 +335,11 @@ private:
       tracked own_tool(tool);
       tracked result;
       const double before = volume_of(first[i]);
+      if (shares_[i].stays != 0) {
+        imprint(first[i], own_tool);
+        take(first[i], i, before);
+        continue;
+      }
       if (!operate(mode_, first[i], own_tool, result))
         return corefine_status::result_not_manifold;
       take(result, i, before);
@@ -340,6 +352,8 @@ private:
     std::optional<std::uint32_t> home;
     double most = -1;
     for (std::uint32_t i = 0; i < first.size(); ++i) {
+      if (shares_[i].stays != 0)
+        continue;
       tracked own(first[i]);
       tracked own_tool(tool);
       tracked both;
@@ -351,6 +365,8 @@ private:
         most = covered;
       }
     }
+    if (!home)
+      return corefine_status::failed;
     auto rest = std::make_unique<tracked>(tool);
     for (std::uint32_t i = 0; i < first.size(); ++i) {
       if (i == *home)
@@ -389,7 +405,7 @@ private:
 
   std::uint32_t mode_;
   const std::array<soup, 2>& in_;
-  const std::vector<std::uint32_t>& shares_;
+  const std::vector<corefine_share>& shares_;
   std::array<std::vector<point>, 2> exact_;
   result out_;
   collector collector_;
@@ -420,9 +436,10 @@ int tedit::ops::combine_surfaces(std::uint32_t magic) {
     if (header.points[i] > most || header.triangles[i] > most ||
         !read_soup(in[i], header.points[i], header.triangles[i]))
       return 2;
-  std::vector<std::uint32_t> shares;
+  std::vector<corefine_share> shares;
+  const auto with = [](std::uint64_t sum, const corefine_share& s) { return sum + s.triangles; };
   if (!read_all(shares, header.shares) ||
-      std::accumulate(shares.begin(), shares.end(), std::uint64_t{0}) != header.triangles[0])
+      std::accumulate(shares.begin(), shares.end(), std::uint64_t{0}, with) != header.triangles[0])
     return 2;
   std::vector<plane_points> planes(header.planes);
   if (!read_planes(planes, in))

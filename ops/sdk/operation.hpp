@@ -160,11 +160,11 @@ public:
 
   // -- since SDK 7.2 ---------------------------------------------------------------------------
 
-  /// The same with faces of the tool that become part of surfaces that the part has: face i of
-  /// `continues[i]`, of a new one where that is nothing. In the result such a face has that id,
-  /// whether anything of it is left or not. An id that the part does not have (any more) becomes a
-  /// surface of it, called as the face is: what an operation took away and puts somewhere else
-  /// keeps its id. Errors: also `invalid_argument` where there is not one entry a face.
+  /// The same with faces of the tool that become part of surfaces of the part: face i of
+  /// `continues[i]`, of a new one where that is nothing, whether anything of it is left or not. An
+  /// id that the part does not have (any more) becomes a surface, called as the face is. A tool
+  /// with facets of a surface that it continues moves that wall: bonded regions without it stay.
+  /// Errors: also `invalid_argument` where there is not one entry a face.
   [[nodiscard]] virtual expected<boolean_result> boolean_onto(
     const version_ptr& mesh, const tool_surface& tool,
     const std::vector<std::optional<surface_id>>& continues, const boolean_request& request,

@@ -9,6 +9,7 @@
 
 #include "mesh/features/rims.hpp"
 #include "mesh/place_text.hpp"
+#include "ops/shapes/walls/bonded_border.hpp"
 #include "ops/shapes/walls/near_boundary.hpp"
 
 namespace tedit::ops {
@@ -27,10 +28,13 @@ constexpr double reach_depths = 12;
 constexpr double reach_edges = 4;
 /// A depth is no smaller than this share of the edges around.
 constexpr double finest = 1.0 / 200;
-/// Sine of the angle at which a side of the tool is within a face between regions.
-constexpr double along_face = 1e-3;
+/// A face between regions that leaves a wall at more than 120 degrees runs on below it: by the
+/// sine of what is more than 90.
+constexpr double runs_on_below = 0.5;
 /// How far beyond it the tool goes, in edges.
 constexpr double beyond = 0.3;
+/// The same in another region, of which nothing is taken: less, so that the floor stays parallel.
+constexpr double beyond_bond = 0.02;
 constexpr int tool_newton_steps = 12;
 /// Demands that meet at less than this sine are one.
 constexpr double least_tool_sine = 0.2;
@@ -75,7 +79,8 @@ public:
         facets_(facets_of_all()),
         edge_(mean_edge()),
         reach_(reach_depths * std::abs(distance) + reach_edges * edge_),
-        boundary_(mesh, extent().grown(reach_ + 2 * std::abs(distance))) {}
+        boundary_(mesh, extent().grown(reach_ + 2 * std::abs(distance))),
+        bonds_(bonds_in(mesh, extent().grown(std::abs(distance) + edge_))) {}
 
   expected<wall_tool> make() {
     if (!(std::abs(distance_) >= finest * edge_))
@@ -93,8 +98,6 @@ public:
             v.borders, [&](auto i) { return borders_[i].rule.type == side_rule::kind::past; }))
         result_.places.push_back(v.place);
     }
-    if (auto ok = check_regions(); !ok)
-      return fail(ok.error());
     if (auto ok = add_sheets(); !ok)
       return fail(ok.error());
     for (const auto& border : borders_)
@@ -231,12 +234,19 @@ private:
     rule.shape.point = middle;
     rule.shape.axis = normalized(cross(b - a, n));
     const auto& beside = shape_of(rule.neighbour);
+    const auto bond = distance_past_bond(border, n);
+    if (bond) {
+      rule.type = side_rule::kind::past;
+      rule.target = *bond;
+    }
     const vec3 other = beside ? beside->normal(middle) : normal_of(outer);
     const double bend = std::atan2(norm(cross(n, other)), dot(n, other));
     if (bend < (wall && beside ? smooth_exact : smooth_facets)) {
       result_.smooth.insert(rule.neighbour);
       return rule;
     }
+    if (bond)
+      return rule;
     const bool rises = material_angle(mesh_, facets_[border.inner], border.edge) > std::numbers::pi;
     if (distance_ > 0 ? !rises : rises) {
       const bool one_solid = mesh_.region_of(facet.tet) == mesh_.region_of(mesh_.facet(outer).tet);
@@ -249,6 +259,24 @@ private:
       rule.target = *past;
     }
     return rule;
+  }
+
+  /// How far a tool that takes off has to go beside the edge a b until it is in another region, of
+  /// which it takes nothing; nothing where none begins there, or only below the wall.
+  [[nodiscard]] std::optional<double> distance_past_bond(const border_edge& border, vec3 n) const {
+    if (distance_ > 0)
+      return std::nullopt;
+    const auto bond = bonded_border_at(mesh_, facets_[border.inner], border.edge);
+    const auto& v = mesh_.facet(facets_[border.inner]).v;
+    const vec3 a = mesh_.position(v[border.edge]);
+    const vec3 b = mesh_.position(v[(border.edge + 1) % 3]);
+    const vec3 away = normalized(cross(b - a, n));
+    if (!bond || dot(bond->into, away) > runs_on_below || dot(bond->into, n) > 0)
+      return std::nullopt;
+    const double leans = std::max(0.0, dot(bond->into, away) / -dot(bond->into, n)) * -distance_;
+    const double bulge = bulge_over(bonds_, a, b, -n, -distance_);
+    return std::min(std::max(leans, bulge), leans + beyond * edge_) +
+           std::min(beyond_bond * edge_, 0.5 * bond->room);
   }
 
   /// How far the tool has to go beside the wall until it is out of the part, or in its material;
@@ -345,46 +373,6 @@ private:
     return x;
   }
 
-  /// Where a wall ends at another region, the side of the tool must not lie in the face between
-  /// both: that would have to be cut with it.
-  [[nodiscard]] expected<void> check_regions() const {
-    for (const auto& border : borders_) {
-      const auto& inner = mesh_.facet(facets_[border.inner]);
-      const auto& outer = mesh_.facet(across_[3 * border.inner + border.edge]);
-      const auto region = mesh_.region_of(inner.tet);
-      if (mesh_.region_of(outer.tet) == region)
-        continue;
-      for (const auto sheet : {border.a, border.b}) {
-        const auto v = vertices_[sheet].v;
-        const vec3 side = normalized(vertices_[sheet].place - mesh_.position(v));
-        for (const auto t : tets_around(mesh_, std::array{v}))
-          if (mesh_.region_of(t) == region && lies_in_interface(t, v, side))
-            return fail(ec::invalid_argument,
-                        "surface " + std::to_string(inner.surface) +
-                          " ends at another region, and the face between both would have to go "
-                          "with it",
-                        "Choose walls that lie within one region");
-      }
-    }
-    return {};
-  }
-
-  /// Is a direction from a corner of a tet along one of its faces against another region?
-  [[nodiscard]] bool lies_in_interface(tet_id t, vertex_id v, vec3 direction) const {
-    const auto& corners = mesh_.tet_at(t).v;
-    const auto p = mesh_.corners(t);
-    for (int i = 0; i < 4; ++i) {
-      const auto behind = mesh_.neighbours(t)[i];
-      if (corners[i] == v || is_facet(behind) || mesh_.region_of(behind) == mesh_.region_of(t))
-        continue;
-      const auto& f = tet_faces[i];
-      const vec3 normal = normalized(area_vector(p[f[0]], p[f[1]], p[f[2]]));
-      if (std::abs(dot(normal, direction)) < along_face)
-        return true;
-    }
-    return false;
-  }
-
   // -- the tool --------------------------------------------------------------------------------
 
   std::uint32_t face_named(const std::string& name, std::optional<surface_id> continues) {
@@ -454,6 +442,7 @@ private:
   double edge_;
   double reach_;
   near_boundary boundary_;
+  std::vector<bond_triangle> bonds_;
   std::vector<std::size_t> parent_;      ///< By corner.
   std::vector<facet_id> across_;         ///< By corner: beyond the edge that begins there.
   std::vector<std::uint32_t> sheet_of_;  ///< By corner.

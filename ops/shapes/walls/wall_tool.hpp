@@ -22,9 +22,10 @@ struct wall_tool {
 /// neighbour that runs on smoothly the side is a step along the wall's normal. Where material is
 /// taken off, a neighbour that goes down is cut to where the part ends; where it is put on, a
 /// neighbour that rises is run into, and one that goes down at about a right angle goes up with the
-/// wall. Errors: `invalid_argument` where the distance is less than a two-hundredth of the edges
-/// there, where a wall bends too sharply for it, and where one ends at another region along a face
-/// that would have to be cut, too. Cost: O(facet slots + border edges x facets near).
+/// wall. Where material is taken off a wall that ends at another region, the side reaches into that
+/// one, of which the boolean takes nothing (`services::boolean_onto`). Errors: `invalid_argument`
+/// where the distance is less than a two-hundredth of the edges there, and where a wall bends too
+/// sharply for it. Cost: O(facet slots + border edges x facets near).
 [[nodiscard]] expected<wall_tool> make_wall_tool(const mesh_version& mesh, const wall_set& walls,
                                                  double distance);
 
