@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <optional>
 
@@ -12,6 +13,7 @@
 #include "cad/file_kind.hpp"
 #include "cad/mesh_file.hpp"
 #include "cad/private_folder.hpp"
+#include "cad/reading.hpp"
 
 namespace tedit::cad {
 
@@ -38,6 +40,20 @@ error with_other_files(error why, const fs::path& file) {
   why.remedy =
     "Export the assembly as one STEP file with all geometry in it, not as one file for "
     "each part";
+  why.where = file.string();
+  return why;
+}
+
+/// What the text of a file that could not be read shows of why: the reader is asked once more, for
+/// it is confined. The first words stay; the line and the entity are added.
+error with_fault_of_text(error why, const fs::path& file,
+                         const std::function<program_end(std::string_view)>& ask) {
+  const auto end = ask(reads_text);
+  if (end.done || end.died || end.why.code != ec::bad_input)
+    return why;
+  why.message += "; " + end.why.message;
+  why.where = file.string() + end.why.where.substr(fs::absolute(file).string().size());
+  why.remedy = end.why.remedy;
   return why;
 }
 
@@ -45,14 +61,14 @@ error with_other_files(error why, const fs::path& file) {
 expected<part_facts> read_part(const import_request& request, file_kind kind,
                                const fs::path& folder, const execution& run) {
   const auto file = fs::absolute(request.file).string();
-  const auto read = [&](const char* how) {
+  const auto read = [&](std::string_view how) {
     return run_program("tedit-cad-reader", "the reader", folder,
-                       {file, std::string(name_of(kind)), how}, request.limits, run);
+                       {file, std::string(name_of(kind)), std::string(how)}, request.limits, run);
   };
-  auto end = read("with-annotations");
+  auto end = read(reads_all);
   if (end.died && kind == file_kind::step) {
     const auto first = end;
-    end = read("without-annotations");
+    end = read(reads_plain);
     if (end.died)
       end.why.message = first.why.message + ", and once more without annotations" +
                         (end.doing == first.doing ? "" : ", while " + end.doing);
@@ -61,6 +77,8 @@ expected<part_facts> read_part(const import_request& request, file_kind kind,
     return load_facts(folder);
   if (kind == file_kind::step && !end.died && end.why.code == ec::bad_input)
     end.why = with_other_files(std::move(end.why), request.file);
+  if (end.why.code == ec::bad_input && end.why.where.empty())
+    end.why = with_fault_of_text(std::move(end.why), request.file, read);
   if (end.why.where.empty())
     end.why.where = request.file.string();
   return fail(std::move(end.why));

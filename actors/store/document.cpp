@@ -346,7 +346,7 @@ document::~document() = default;
 expected<std::unique_ptr<document>> document::open(const fs::path& file) {
   std::unique_ptr<document> made(new document);
   if (auto opened = made->impl_->open(file); !opened)
-    return fail(opened.error());
+    return fail(with_file(opened.error(), made->impl_->file));
   return made;
 }
 

@@ -61,7 +61,36 @@ bool log_has_first_page(const fs::path& file, off_t bytes) {
   return false;
 }
 
+/// How long the header says that the file is; 0 where it does not. Source: "Database File Format"
+/// of SQLite's documentation, 1.3.
+std::uint64_t length_by_header(int handle) {
+  std::array<unsigned char, 100> header{};
+  if (::pread(handle, header.data(), header.size(), 0) != ssize_t(header.size()))
+    return 0;
+  const std::uint32_t page_size = header[16] * 256U + header[17];
+  const bool is_said = std::equal(&header[24], &header[28], &header[92]);
+  return is_said ? std::uint64_t{page_size == 1 ? 65536 : page_size} * big_endian(&header[28]) : 0;
+}
+
 }  // namespace
+
+error with_file(error why, const fs::path& file) {
+  if (why.code != ec::storage_error)
+    return why;
+  struct stat about {};
+  const auto in = open_file(file, O_RDONLY);
+  // With a log beside it, the file may be shorter; who looks at it makes an empty one.
+  struct stat log {};
+  const bool has_log = ::stat((file.string() + "-wal").c_str(), &log) == 0 && log.st_size > 0;
+  if (in && ::fstat(in.get(), &about) == 0 && !has_log)
+    if (const auto length = length_by_header(in.get());
+        static_cast<std::uint64_t>(about.st_size) < length)
+      why.message = file.string() + " is cut off: it has " + std::to_string(about.st_size) +
+                    " bytes of " + std::to_string(length);
+  if (why.where.empty() && why.message.find(file.string()) == std::string::npos)
+    why.where = file.string();
+  return why;
+}
 
 bool write_all(int handle, std::span<const std::byte> bytes) {
   while (!bytes.empty()) {

@@ -16,6 +16,10 @@ namespace tedit::store {
 /// refuses to read it.
 [[nodiscard]] expected<bool> has_database(const std::filesystem::path& file);
 
+/// Why a document could not be opened, with its file as the place, and how many bytes are missing
+/// where it is cut off.
+[[nodiscard]] error with_file(error why, const std::filesystem::path& file);
+
 /// Whether a document that has no file yet can have it here. Errors: `conflict` when the log of
 /// another document lies where its own will be.
 [[nodiscard]] expected<void> check_place(const std::filesystem::path& file);

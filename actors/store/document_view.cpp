@@ -154,7 +154,7 @@ expected<std::unique_ptr<document_view>> document_view::open(const fs::path& fil
   if (code || made->impl_->file.empty())
     return fail(ec::io_error, "cannot open '" + file.string() + "': " + code.message());
   if (auto opened = made->impl_->open(); !opened)
-    return fail(opened.error());
+    return fail(with_file(opened.error(), made->impl_->file));
   return made;
 }
 

@@ -12,7 +12,8 @@ tl::unexpected<error> sql_failure(sqlite3* db) {
     return fail(ec::conflict, text, "Close the other program that uses the file");
   if (code == SQLITE_FULL)
     return fail(ec::storage_error, text, "The disk is full: free some space and try again");
-  if (code == SQLITE_CORRUPT || code == SQLITE_NOTADB)
+  // An error of SQL itself: tables that it names are not those of the file.
+  if (code == SQLITE_CORRUPT || code == SQLITE_NOTADB || code == SQLITE_ERROR)
     return fail(ec::storage_error, text, "Restore the document from a backup");
   if (code == SQLITE_READONLY)
     return fail(ec::io_error, text,

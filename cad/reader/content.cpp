@@ -263,7 +263,10 @@ cad_content read_step(const std::string& file, const teller& tells) {
   reader.SetMatMode(false);
   reader.SetViewMode(false);
   if (reader.ReadFile(file.c_str()) != IFSelect_RetDone)
-    tells.refuse(step_fault(file));
+    tells.refuse({ec::bad_input,
+                  "OpenCASCADE cannot read the STEP file",
+                  "Export it again from the CAD program",
+                  {}});
   tells.stage(0.3, "transferring the model");
   auto document = new_document();
   if (!reader.Transfer(document))
@@ -288,7 +291,7 @@ cad_content read_iges(const std::string& file, const teller& tells) {
   reader.SetLayerMode(false);
   if (reader.ReadFile(file.c_str()) != IFSelect_RetDone)
     tells.refuse({ec::bad_input,
-                  "the IGES file cannot be read: its text is damaged or cut off",
+                  "OpenCASCADE cannot read the IGES file",
                   "Export it again from the CAD program, as STEP where you can",
                   {}});
   tells.stage(0.3, "transferring the model");
@@ -322,7 +325,7 @@ cad_content read_brep(const std::string& file, const teller& tells) {
   BRep_Builder builder;
   if (!BRepTools::Read(shape, file.c_str(), builder) || shape.IsNull())
     tells.refuse({ec::bad_input,
-                  "the BREP file cannot be read: its text is damaged or cut off",
+                  "OpenCASCADE cannot read the BREP file",
                   "Write it again with BRepTools::Write of OpenCASCADE, or take a STEP file",
                   {}});
   for (TopExp_Explorer all(shape, TopAbs_SOLID); all.More(); all.Next())

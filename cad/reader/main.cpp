@@ -12,6 +12,8 @@
 
 #include "cad/annotations.hpp"
 #include "cad/reader/content.hpp"
+#include "cad/reader/text_faults.hpp"
+#include "cad/reading.hpp"
 
 namespace {
 
@@ -22,7 +24,7 @@ struct wanted {
   program_call call;
   std::filesystem::path file;
   std::string kind;  ///< "step", "iges", "brep".
-  bool annotations = true;
+  std::string how;   ///< cad/reading.hpp.
 };
 
 cad_content read(const wanted& what, const teller& tells) {
@@ -30,7 +32,7 @@ cad_content read(const wanted& what, const teller& tells) {
     return read_iges(what.file.string(), tells);
   if (what.kind == "brep")
     return read_brep(what.file.string(), tells);
-  if (what.annotations)
+  if (what.how == reads_all)
     return read_step(what.file.string(), tells);
   tells.stage(0.02, "leaving out annotations");
   const auto plain = what.call.folder / plain_file;
@@ -43,6 +45,12 @@ cad_content read(const wanted& what, const teller& tells) {
                               std::to_string(*gone) +
                               " in all: the file could not be read with them");
   return content;
+}
+
+/// A file that could not be read is asked for a fault of its text, without OpenCASCADE.
+void explain(const wanted& what, const teller& tells) {
+  if (const auto fault = fault_of_text(what.kind, what.file.string()))
+    tells.refuse(*fault);
 }
 
 void convert(const wanted& what, const teller& tells) {
@@ -64,11 +72,11 @@ int main(int argc, char** argv) {
   const auto call = parse_call(argc, argv, 7);
   if (!call)
     return 2;
-  const wanted what{*call, argv[4], argv[5], std::string_view(argv[6]) == "with-annotations"};
+  const wanted what{*call, argv[4], argv[5], argv[6]};
   const teller tells(*call);
   confine(*call, what.file, tells);
   try {
-    convert(what, tells);
+    what.how == reads_text ? explain(what, tells) : convert(what, tells);
   } catch (const std::bad_alloc&) {
     tells.refuse({ec::out_of_memory,
                   "the reader needs more memory than it may take",

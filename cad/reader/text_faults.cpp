@@ -3,13 +3,15 @@
 
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <string_view>
 
 namespace tedit::cad {
 
 namespace {
+
+constexpr std::uintmax_t largest_text = std::uintmax_t{1} << 30;
 
 std::string text_of(const std::string& file) {
   std::ifstream in(file, std::ios::binary);
@@ -32,19 +34,20 @@ bool is_counted(std::string_view word) {
 
 }  // namespace
 
-error step_fault(const std::string& file) {
-  error why{ec::bad_input, "the STEP file cannot be read: its text is damaged or cut off",
-            "Export it again from the CAD program", file};
+std::optional<error> fault_of_text(const std::string& kind, const std::string& file) {
+  std::error_code code;
+  if (const auto bytes = std::filesystem::file_size(file, code); code || bytes > largest_text)
+    return std::nullopt;
   const auto text = text_of(file);
-  const auto last = text.find_last_not_of(" \t\r\n");
-  if (last == std::string::npos || text.find("END-ISO-10303-21") != std::string::npos)
-    return why;
-  std::size_t line = 1;
-  for (const char c : std::string_view(text).substr(0, last + 1))
-    line += c == '\n';
-  why.message = "the STEP file is cut off: it ends without END-ISO-10303-21";
-  why.where = line_of(file, line);
-  return why;
+  const auto fault = kind == "step"   ? fault_of_step(text)
+                     : kind == "iges" ? fault_of_iges(text)
+                                      : fault_of_brep(text);
+  if (!fault)
+    return std::nullopt;
+  const auto before = std::string_view(text).substr(0, fault->at);
+  const auto line = 1 + static_cast<std::size_t>(std::ranges::count(before, '\n'));
+  return error{ec::bad_input, fault->cause, fault->remedy,
+               line_of(file, line) + (fault->entity.empty() ? "" : ", " + fault->entity)};
 }
 
 expected<void> check_brep_counts(const std::string& file) {

@@ -1,15 +1,34 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
+// What the text of a CAD file shows of why it could not be read. A reader takes much that a
+// standard forbids, so none of this refuses a file: it is asked for once reading has failed.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "base/error.hpp"
 
 namespace tedit::cad {
 
-/// Why OpenCASCADE could not read the text of a STEP file, with the line where it ends if it is cut
-/// off. Cost: O(bytes).
-[[nodiscard]] error step_fault(const std::string& file);
+/// A fault of a text, for a person.
+struct text_fault {
+  std::size_t at = 0;  ///< Where in the text, in bytes; the line is told by it.
+  std::string entity;  ///< What it is in: "#16 = CLOSED_SHELL"; may be empty.
+  std::string cause;   ///< "it refers to #9999, which is not there".
+  std::string remedy;
+};
+
+/// The first fault of a text that can be named. Memory: 48 bytes an entity, of four million at
+/// most; what lies beyond is not looked at. Cost: O(bytes).
+[[nodiscard]] std::optional<text_fault> fault_of_step(std::string_view text);
+[[nodiscard]] std::optional<text_fault> fault_of_iges(std::string_view text);
+[[nodiscard]] std::optional<text_fault> fault_of_brep(std::string_view text);
+
+/// Why a file of the kind ("step", "iges", "brep") cannot be read, `where` being its path with line
+/// and entity; nothing where its text shows no fault, or is larger than 1 GiB. Cost: O(bytes).
+[[nodiscard]] std::optional<error> fault_of_text(const std::string& kind, const std::string& file);
 
 /// Refuses a BREP file that says that it has more of something than its bytes can hold, for
 /// OpenCASCADE would read on and on. Errors: `bad_input` with the line. Cost: O(bytes).

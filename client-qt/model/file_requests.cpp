@@ -14,9 +14,23 @@
 
 namespace tedit::desktop {
 
+/// As it is now.
+static cad_source source_of(const imported_file& file) {
+  const QFileInfo about(file.mesh);
+  return {file, about.lastModified(), about.size()};
+}
+
+bool cad_source::is_changed() const {
+  const auto now = source_of(file);
+  return !QFileInfo::exists(file.mesh) || now.changed_at != changed_at || now.bytes != bytes;
+}
+
 file_requests::file_requests(document& part, remote& link) : part_(part), link_(link) {
   connect(&link_, &remote::connected, this, &file_requests::reopen);
-  connect(&part_, &document::begun, this, [this] { asked_name_.clear(); });
+  connect(&part_, &document::begun, this, [this] {
+    asked_name_.clear();
+    source_.reset();
+  });
 }
 
 void file_requests::close() {
@@ -103,6 +117,7 @@ void file_requests::switch_to(const QString& title, remote::work<ready> prepare,
       if (!got)
         return emit part_.failed(title, got.error());
       part_.begin(QString::fromStdString(got->name));
+      source_ = got->cad;
       reopen();
       part_.warn(got->warnings);
       if (got->from)
@@ -215,6 +230,7 @@ expected<std::string> file_requests::open_empty(client::client& server, const QS
 expected<file_requests::ready> file_requests::make_of_cad(client::client& server,
                                                           const execution& run,
                                                           const imported_file& file) {
+  const auto source = source_of(file);
   const auto meshed =
     mesh_cad_file({file.mesh, file.size, file.unit, file.local_sizes_mm}, run.part(0, 0.8));
   if (!meshed)
@@ -229,7 +245,11 @@ expected<file_requests::ready> file_requests::make_of_cad(client::client& server
   // A 3MF and CAD files say their units.
   const bool asks_unit =
     is_surface_file(file.mesh) && !file.mesh.endsWith(".3mf", Qt::CaseInsensitive);
-  return ready{*added, meshed->warnings, {}, asks_unit ? std::optional(file) : std::nullopt};
+  return ready{*added,
+               meshed->warnings,
+               {},
+               asks_unit ? std::optional(file) : std::nullopt,
+               is_cad_file(file.mesh) ? std::optional(source) : std::nullopt};
 }
 
 expected<file_requests::ready> file_requests::make_of_mesh(client::client& server,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <QDateTime>
 #include <QObject>
 #include <QStringList>
 
@@ -29,6 +30,16 @@ struct imported_file {
   std::map<std::string, double> local_sizes_mm = {};  ///< Of a CAD file: longest edges, by surface.
 };
 
+/// The CAD file that a part was meshed from, as it was then.
+struct cad_source {
+  imported_file file;
+  QDateTime changed_at = {};
+  qint64 bytes = 0;
+
+  /// Whether it is gone, or another by its time or size.
+  [[nodiscard]] bool is_changed() const;
+};
+
 /// Opening, importing, exporting and closing. `document::opened` or `document::failed` follows. The
 /// document that is open stays so until the other one is there: what fails changes nothing.
 class file_requests : public QObject {
@@ -49,6 +60,9 @@ public:
   /// document has its model, too. Or from a surface file (STL, OBJ, PLY, 3MF), which has none;
   /// `unit` is that of its coordinates where it says none.
   void import_cad(const imported_file& file);
+  /// What the open document was meshed from by this window; none after it was closed, and of one
+  /// that was there before.
+  [[nodiscard]] const std::optional<desktop::cad_source>& cad_source() const { return source_; }
   /// What was imported once more, in another unit.
   void import_anew(imported_file file, const QString& unit);
   /// Gives the server a document that lies in a file, under its name or, where that is taken, the
@@ -77,6 +91,7 @@ private:
     std::vector<std::string> warnings;
     std::optional<error> refused_loads;
     std::optional<imported_file> from;  ///< Not of a document that was there.
+    std::optional<desktop::cad_source> cad = {};
   };
   /// What an import needs, whatever becomes of the window meanwhile.
   struct new_part {
@@ -109,6 +124,7 @@ private:
 
   document& part_;
   remote& link_;
+  std::optional<desktop::cad_source> source_;
   QString asked_name_;  ///< Whether the document has got it is not known: the connection broke.
   int wanted_ = 0;      ///< The last document that was asked for, or that none shall be open.
   const std::shared_ptr<opening_order> order_ = std::make_shared<opening_order>();

@@ -7454,24 +7454,12 @@
         <translation>die %1 Körper der Baugruppe lassen sich nicht verbinden, wo sie sich berühren</translation>
     </message>
     <message>
-        <source>the BREP file cannot be read: its text is damaged or cut off</source>
-        <translation>die BREP-Datei lässt sich nicht lesen: ihr Text ist beschädigt oder abgeschnitten</translation>
-    </message>
-    <message>
         <source>the CAD file cannot be copied without its annotations</source>
         <translation>die CAD-Datei lässt sich nicht ohne ihre Anmerkungen kopieren</translation>
     </message>
     <message>
-        <source>the IGES file cannot be read: its text is damaged or cut off</source>
-        <translation>die IGES-Datei lässt sich nicht lesen: ihr Text ist beschädigt oder abgeschnitten</translation>
-    </message>
-    <message>
         <source>the IGES file holds no geometry that can be transferred</source>
         <translation>die IGES-Datei enthält keine Geometrie, die sich übertragen lässt</translation>
-    </message>
-    <message>
-        <source>the STEP file cannot be read: its text is damaged or cut off</source>
-        <translation>die STEP-Datei lässt sich nicht lesen: ihr Text ist beschädigt oder abgeschnitten</translation>
     </message>
     <message>
         <source>the STEP file holds no geometry that can be transferred</source>
@@ -10329,6 +10317,18 @@
         <source>it is beside the part</source>
         <translation>er liegt neben dem Teil</translation>
     </message>
+    <message>
+        <source>OpenCASCADE cannot read the BREP file</source>
+        <translation>OpenCASCADE kann die BREP-Datei nicht lesen</translation>
+    </message>
+    <message>
+        <source>OpenCASCADE cannot read the IGES file</source>
+        <translation>OpenCASCADE kann die IGES-Datei nicht lesen</translation>
+    </message>
+    <message>
+        <source>OpenCASCADE cannot read the STEP file</source>
+        <translation>OpenCASCADE kann die STEP-Datei nicht lesen</translation>
+    </message>
 </context>
 <context>
     <name>server_lists</name>
@@ -12612,6 +12612,76 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
     <message>
         <source>Recipes, surfaces by number (*.json)</source>
         <translation>Rezepte, Flächen nach Nummer (*.json)</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::remesh_form</name>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 und %2 weitere</translation>
+    </message>
+    <message>
+        <source>Mesh anew with another size</source>
+        <translation>Neu vernetzen, mit anderer Größe</translation>
+    </message>
+    <message>
+        <source>Coarse: one quadratic tet through a usual wall</source>
+        <translation>Grob: ein quadratischer Tetraeder durch eine übliche Wand</translation>
+    </message>
+    <message>
+        <source>Medium: two</source>
+        <translation>Mittel: zwei</translation>
+    </message>
+    <message>
+        <source>Fine: three</source>
+        <translation>Fein: drei</translation>
+    </message>
+    <message>
+        <source>as elsewhere</source>
+        <translation>wie sonst</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Vernetzen</translation>
+    </message>
+    <message>
+        <source>How fine</source>
+        <translation>Wie fein</translation>
+    </message>
+    <message>
+        <source>Longest edge on what is picked</source>
+        <translation>Längste Kante auf dem Gewählten</translation>
+    </message>
+    <message>
+        <source>Nothing is picked: pick walls of the part to give them a length of their own.</source>
+        <translation>Nichts ist gewählt: Wände des Bauteils wählen, um ihnen eine eigene Länge zu geben.</translation>
+    </message>
+    <message>
+        <source>Picked: %1.</source>
+        <translation>Gewählt: %1.</translation>
+    </message>
+    <message>
+        <source>%1 is read once more, into a new document. Edits and loads of this document stay in this one.</source>
+        <translation>%1 wird noch einmal gelesen, in ein neues Dokument. Änderungen und Lasten dieses Dokuments bleiben in diesem.</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::remeshing</name>
+    <message>
+        <source>Mesh anew with another size</source>
+        <translation>Neu vernetzen, mit anderer Größe</translation>
+    </message>
+    <message>
+        <source>Reads the part&apos;s CAD file once more: finer or coarser, with shorter edges on picked walls</source>
+        <translation>Liest die CAD-Datei des Bauteils noch einmal: feiner oder gröber, mit kürzeren Kanten auf gewählten Wänden</translation>
+    </message>
+    <message>
+        <source>The part was not meshed from a CAD file since the window was opened: open its STEP, IGES or BREP file</source>
+        <translation>Das Bauteil wurde nicht aus einer CAD-Datei vernetzt, seit das Fenster offen ist: seine STEP-, IGES- oder BREP-Datei öffnen</translation>
+    </message>
+    <message>
+        <source>meshing %1 anew</source>
+        <translation>%1 wird neu vernetzt</translation>
     </message>
 </context>
 <context>

@@ -19,7 +19,7 @@ using ::testing::HasSubstr;
 
 const std::vector<std::string> tables{"msh",  "vtu",       "inp",    "bdf", "unv",  "med",
                                       "stl",  "obj",       "ply",    "3mf", "step", "iges",
-                                      "brep", "load_case", "recipe", "csv"};
+                                      "brep", "load_case", "recipe", "csv", "tedit"};
 
 TEST(BrokenFiles, AreThreeHundredAtLeastAndNoneIsThereTwice) {
   std::size_t refused = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "tests/broken/table.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -10,6 +11,7 @@
 #include <stdexcept>
 
 #include <gmock/gmock.h>
+#include <sqlite3.h>
 #include <nlohmann/json.hpp>
 
 #include "mesh/io/zip_file.hpp"
@@ -92,6 +94,31 @@ void write_over(std::string& bytes, const json& how) {
   bytes.replace(at, others.size(), others);
 }
 
+/// Statements on a database, of which the file is an image.
+void run_sql(std::string& bytes, const std::string& sql) {
+  constexpr std::size_t log_marks = 18;  // Two bytes: 1 without a log, as in memory, 2 with one.
+  const auto marks = bytes.substr(log_marks, 2);
+  bytes.replace(log_marks, 2, "\1\1");
+  sqlite3* db = nullptr;
+  auto size = static_cast<sqlite3_int64>(bytes.size());
+  auto* image = static_cast<unsigned char*>(sqlite3_malloc64(bytes.size()));
+  std::ranges::copy(bytes, image);
+  const bool done = sqlite3_open(":memory:", &db) == SQLITE_OK &&
+                    sqlite3_deserialize(db, "main", image, size, size,
+                                        SQLITE_DESERIALIZE_FREEONCLOSE |
+                                          SQLITE_DESERIALIZE_RESIZEABLE) == SQLITE_OK &&
+                    sqlite3_exec(db, sql.c_str(), nullptr, nullptr, nullptr) == SQLITE_OK;
+  const std::string why = sqlite3_errmsg(db);
+  if (auto* made = done ? sqlite3_serialize(db, "main", &size, 0) : nullptr) {
+    bytes.assign(reinterpret_cast<const char*>(made), static_cast<std::size_t>(size));
+    sqlite3_free(made);
+    bytes.replace(log_marks, 2, marks);
+  }
+  sqlite3_close(db);
+  if (!done)
+    throw std::runtime_error(sql + ": " + why);
+}
+
 using edit = void (*)(std::string& bytes, const json& how);
 
 const std::map<std::string, edit> edits{
@@ -123,6 +150,7 @@ const std::map<std::string, edit> edits{
   {"whole_hex", [](std::string& bytes, const json& how) { bytes = bytes_of_hex(how); }},
   {"file", [](std::string& bytes,
               const json& how) { bytes = file_bytes(tests_folder / how.get<std::string>()); }},
+  {"sql", [](std::string& bytes, const json& how) { run_sql(bytes, how); }},
   {"utf16", [](std::string& bytes, const json&) { bytes = utf16(bytes); }},
   {"crlf", [](std::string& bytes, const json&) { bytes = with_crlf(bytes); }},
   {"zip", [](std::string& bytes, const json& how) { bytes = zipped(bytes, how); }}};

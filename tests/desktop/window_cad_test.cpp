@@ -6,6 +6,8 @@
 #include "tests/scan/surfaces.hpp"
 
 #include <QComboBox>
+#include <QDialog>
+#include <QDoubleSpinBox>
 #include <QFile>
 #include <QMessageBox>
 #include <QScrollArea>
@@ -38,6 +40,66 @@ TEST_F(CadFiles, AskHowFineAndComeInWithTheirUnitAndFaces) {
   EXPECT_TRUE(part().name().startsWith("inch_block")) << part().name().toStdString();
   EXPECT_EQ(part().head()->surface->surfaces().size(), 9u);
   EXPECT_EQ(window->findChild<QWidget*>("unit_question")->isVisible(), false);
+}
+
+/// A part's command, and why it does nothing.
+const command& mesh_anew(main_window& window) {
+  return *window.context().all_commands.find("file.mesh_anew");
+}
+
+TEST_F(CadFiles, AreMeshedAnewWithShorterEdgesOnPickedWalls) {
+  if (!can_read())
+    GTEST_SKIP() << "this build reads no CAD files";
+  open_coarse(block());
+  const auto first = part().name();
+  const auto facets_of = [&](surface_id id) {
+    return part().head()->surface->surfaces().at(id).facets;
+  };
+  const auto before = facets_of(4);
+  window->context().picked.set({4});
+
+  ASSERT_TRUE(window->context().all_commands.trigger("file.mesh_anew"));
+  auto* form = window->findChild<QDialog*>("remesh");
+  ASSERT_NE(form, nullptr);
+  EXPECT_EQ(form->findChild<QComboBox*>("fineness")->currentData(), "coarse");
+  form->findChild<QDoubleSpinBox*>("local_size")->setValue(3);
+  QTest::mouseClick(form->findChild<QPushButton*>("remesh_take"), Qt::LeftButton);
+
+  ASSERT_TRUE(wait([&] { return part().name() != first && shows_head(); }));
+  EXPECT_EQ(part().head()->surface->surfaces().size(), 9u);
+  EXPECT_GT(facets_of(4), 4 * before);
+  EXPECT_EQ(part().files().cad_source()->file.local_sizes_mm,
+            (std::map<std::string, double>{{"4", 3.0}}));
+
+  part().files().close();
+  EXPECT_FALSE(window->context().all_commands.is_enabled(mesh_anew(*window)));
+}
+
+TEST_F(CadFiles, APartFromAMeshIsNotMeshedAnewAndIsToldWhy) {
+  open_plate(false);
+
+  EXPECT_FALSE(window->context().all_commands.is_enabled(mesh_anew(*window)));
+  EXPECT_TRUE(mesh_anew(*window).why_off.contains("CAD file"));
+  EXPECT_FALSE(window->context().all_commands.trigger("file.mesh_anew"));
+  EXPECT_EQ(window->findChild<QDialog*>("remesh"), nullptr);
+}
+
+TEST_F(CadFiles, AFileThatWasChangedMeanwhileIsNotMeshedAnew) {
+  if (!can_read())
+    GTEST_SKIP() << "this build reads no CAD files";
+  const QString copy = state.path() + "/block.stp";
+  ASSERT_TRUE(QFile::copy(block(), copy));
+  open_coarse(copy);
+  QFile file(copy);
+  ASSERT_TRUE(file.open(QIODevice::Append));
+  file.write("\n");
+  file.close();
+
+  ASSERT_TRUE(window->context().all_commands.trigger("file.mesh_anew"));
+
+  EXPECT_EQ(window->findChild<QDialog*>("remesh"), nullptr);
+  EXPECT_TRUE(window->context().messages.text().contains("was changed"))
+    << window->context().messages.text().toStdString();
 }
 
 TEST_F(CadFiles, ASurfaceWithoutCadIsAskedForItsUnit) {

@@ -27,6 +27,7 @@
 #include "client-qt/tools/connection/connection_tool.hpp"
 #include "client-qt/tools/documents/document_keeping.hpp"
 #include "client-qt/tools/documents/recent_documents.hpp"
+#include "client-qt/tools/documents/remeshing.hpp"
 #include "client-qt/tools/documents/server_library.hpp"
 #include "client-qt/tools/documents/unit_question.hpp"
 #include "client-qt/tools/documents/welcome_page.hpp"
@@ -75,6 +76,7 @@ documents_tool::documents_tool(window_context& in, connection_tool& connection,
   connect(library, &server_library::gone, this, &documents_tool::forget);
   keeping_ = new document_keeping(in_, connection_);
   keeping_->setParent(this);
+  (new remeshing(in_, connection_))->setParent(this);
   new unit_question(in_.part, in_.view);  // Of the view.
 }
 

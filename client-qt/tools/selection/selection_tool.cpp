@@ -192,7 +192,8 @@ void selection_tool::show_menu(const std::optional<picked_point>& at, QPoint glo
     if (what.group == command_groups::operation())
       menu->addAction(in_.buttons.of(what.id));
   menu->addSeparator();
-  for (const auto* id : {"view.hide", "view.isolate", "view.show_all", "view.fit"})
+  for (const auto* id :
+       {"view.hide", "view.isolate", "view.show_all", "view.fit", "file.mesh_anew"})
     menu->addAction(in_.buttons.of(id));
   menu->popup(global);
 }
