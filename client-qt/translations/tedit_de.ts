@@ -6618,10 +6618,6 @@
         <translation>verbunden</translation>
     </message>
     <message>
-        <source>Choose walls that lie within one region</source>
-        <translation>Wände auswählen, die in einem Bereich liegen</translation>
-    </message>
-    <message>
         <source>Make it smaller or less bent</source>
         <translation>Es kleiner oder weniger gebogen machen</translation>
     </message>
@@ -6660,10 +6656,6 @@
     <message>
         <source>surface %1 bends too sharply at %2 to be moved so far</source>
         <translation>Fläche %1 ist bei %2 zu stark gebogen, um so weit bewegt zu werden</translation>
-    </message>
-    <message>
-        <source>surface %1 ends at another region, and the face between both would have to go with it</source>
-        <translation>Fläche %1 endet an einem anderen Bereich, und die Fläche zwischen beiden müsste mitgehen</translation>
     </message>
     <message>
         <source>surface %1 prolonged</source>
@@ -10328,6 +10320,10 @@
     <message>
         <source>OpenCASCADE cannot read the STEP file</source>
         <translation>OpenCASCADE kann die STEP-Datei nicht lesen</translation>
+    </message>
+    <message>
+        <source>below the wall lies another region</source>
+        <translation>unter der Wand liegt ein anderer Bereich</translation>
     </message>
 </context>
 <context>

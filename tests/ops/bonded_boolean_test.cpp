@@ -19,17 +19,10 @@ namespace {
 using ::testing::HasSubstr;
 
 using test::bond;
+using test::volume_of;
 
 version_ptr two_regions(bool named = true) {
   return test::bonded_boxes({12, 6, 6}, {2, 1, 1}, named);
-}
-
-double volume_of(const mesh_version& mesh, region_id region) {
-  double sum = 0;
-  for (const auto t : test::all_tets(mesh))
-    if (mesh.region_of(t) == region)
-      sum += signed_volume(mesh.corners(t));
-  return sum;
 }
 
 double interface_area(const mesh_version& mesh) {

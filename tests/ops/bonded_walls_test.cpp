@@ -12,12 +12,15 @@
 #include "ops/loader/catalogue.hpp"
 #include "ops/services/host_services.hpp"
 #include "ops/shapes/move_by_tool.hpp"
+#include "tests/support/bonded_boxes.hpp"
 #include "tests/support/edits.hpp"
 #include "tests/support/meshes.hpp"
 #include "tests/support/parts.hpp"
 
 namespace tedit::ops {
 namespace {
+
+using test::volume_of;
 
 constexpr surface_id seam = 9;
 /// Surfaces of region 2 have this more than those of `box_mesh`.
@@ -69,14 +72,6 @@ version_ptr cube_on_plate() {
     test::box_mesh({9, 9, 6}, {3, 3, 2}),
     [](vec3 p) { return p.z > 1 && !(p.x > 1 && p.x < 2 && p.y > 1 && p.y < 2); }, 7);
   return bonded(plain, [](vec3 p) { return p.z > 1; });
-}
-
-double volume_of(const mesh_version& mesh, region_id region) {
-  double sum = 0;
-  for (const auto t : test::all_tets(mesh))
-    if (mesh.region_of(t) == region)
-      sum += signed_volume(mesh.corners(t));
-  return sum;
 }
 
 /// Of all faces between tets of different regions, whether listed or not.

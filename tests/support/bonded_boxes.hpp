@@ -8,6 +8,15 @@ namespace tedit::test {
 /// The surface between both.
 inline constexpr surface_id bond = 9;
 
+/// m^3, of one region.
+inline double volume_of(const mesh_version& mesh, region_id region) {
+  double sum = 0;
+  for (const auto t : all_tets(mesh))
+    if (mesh.region_of(t) == region)
+      sum += signed_volume(mesh.corners(t));
+  return sum;
+}
+
 /// `box_mesh` with region 1 where x is below its middle and region 2 beyond, bonded there; without
 /// a surface id between them unless `named`.
 inline version_ptr bonded_boxes(std::array<int, 3> cells, vec3 size, bool named = true) {

@@ -12,7 +12,7 @@ import typing
 
 from . import errors
 from .answers import Comparison, Preview, PrintCheck, Section
-from .events import Event, FieldArrived, Lost, SurfaceChanged
+from .events import Event, FieldArrived, Listener, Lost, SurfaceChanged
 from .streams import Arrays
 from .surface import Field, Surface
 from .v1 import comparison_pb2 as comparison
@@ -29,32 +29,8 @@ if typing.TYPE_CHECKING:
 
 #: Solves whose fields are kept.
 KEPT_SOLVES = 4
-#: Events that an iterator or a slow callback may be behind; the oldest go.
-KEPT_EVENTS = 1000
 
 Parameters = typing.Mapping[str, Value]
-
-
-class _Listener:
-    """Events on their way to one iterator or callback."""
-
-    def __init__(self) -> None:
-        self._events: collections.deque[Event | None] = collections.deque(maxlen=KEPT_EVENTS)
-        self._there = threading.Semaphore(0)
-
-    def put(self, event: Event | None) -> None:
-        self._events.append(event)
-        self._there.release()
-
-    def get(self, timeout: float | None) -> Event | None:
-        """The next one; None at the end. Raises `queue.Empty`."""
-        while True:
-            if not self._there.acquire(timeout=timeout):
-                raise queue.Empty
-            try:
-                return self._events.popleft()
-            except IndexError:  # One that was pushed out.
-                continue
 
 
 class Document:
@@ -67,7 +43,7 @@ class Document:
     def __init__(self, client: Client, name: str, *, surface: bool, fields: bool) -> None:
         self._client = client
         self._changed = threading.Condition()
-        self._listeners: list[_Listener] = []
+        self._listeners: list[Listener] = []
         self._gone: errors.TeditError | None = None
         self._fields: collections.deque[list[Field]] = collections.deque(maxlen=KEPT_SOLVES)
         self._begun: list[Field] = []  # Of a solve whose others still come.
@@ -327,14 +303,14 @@ class Document:
     def events(self, *, timeout: float | None = None) -> typing.Iterator[Event]:
         """What happens from this call on, one's own changes included (`tedit.events`). Ends when nothing happened for
         `timeout` seconds, or with a last `Lost(for_good=True)` event."""
-        listener = _Listener()
+        listener = Listener()
         with self._changed:
             self._listeners.append(listener)
             if self._gone:
                 listener.put(None)
         return self._iterate(listener, timeout)
 
-    def _iterate(self, listener: _Listener, timeout: float | None) -> typing.Iterator[Event]:
+    def _iterate(self, listener: Listener, timeout: float | None) -> typing.Iterator[Event]:
         try:
             while (event := listener.get(timeout)) is not None:
                 yield event
@@ -347,7 +323,7 @@ class Document:
 
     def subscribe(self, callback: typing.Callable[[Event], None]) -> typing.Callable[[], None]:
         """Calls `callback` with each event, on a thread of its own: it may make calls. Returns what ends that."""
-        listener = _Listener()
+        listener = Listener()
         with self._changed:
             self._listeners.append(listener)
 
