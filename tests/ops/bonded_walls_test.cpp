@@ -39,7 +39,7 @@ version_ptr bonded(const version_ptr& plain, const std::function<bool(vec3)>& is
   };
   const auto region = [&](tet_id t) {
     const auto p = plain->corners(t);
-    return region_id{is_second(0.25 * (p[0] + p[1] + p[2] + p[3])) ? 2u : 1u};
+    return region_id{is_second(0.25 * (p[0] + p[1] + p[2] + p[3])) ? 2 : 1};
   };
   for (const auto t : test::all_tets(*plain)) {
     const auto& v = plain->tet_at(t).v;
@@ -280,8 +280,9 @@ TEST_F(BondedWalls, OnARealAssemblyOneRegionAloneGetsSmaller) {
 
     for (const auto& region : base->regions()) {
       const double was = volume_of(*base, region.id);
-      if (region.id != own)
+      if (region.id != own) {
         EXPECT_NEAR(volume_of(*cut, region.id), was, 1e-9 * was);
+      }
     }
     const double loss = volume_of(*base, own) - volume_of(*cut, own);
     // All corners lie on the cylinder: the wall where it goes is the wall made narrower.
