@@ -188,16 +188,17 @@ expected<void> put_probe(const step_in_window& s) {
 
 // -- files ---------------------------------------------------------------------------
 
-/// The whole window, with a menu or the like that is open over it.
+/// The whole window, with a form and a menu or the like that are open over it.
 QImage with_popup(QMainWindow& window) {
   for (auto* view : window.findChildren<viewport*>())
     if (view->isVisible())
       (void)view->picture();  // What was changed last is still to be drawn.
   QImage image = window.grab().toImage();
-  if (auto* popup = QApplication::activePopupWidget()) {
-    QPainter painter(&image);
-    painter.drawPixmap(window.mapFromGlobal(popup->pos()), popup->grab());
-  }
+  QPainter painter(&image);
+  for (auto* over : {QApplication::activeModalWidget(), QApplication::activePopupWidget()})
+    if (over && over != &window)
+      painter.drawPixmap(window.mapFromGlobal(over->pos()), over->grab());
+  painter.end();
   return image;
 }
 
