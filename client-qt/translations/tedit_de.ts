@@ -10325,6 +10325,266 @@
         <source>below the wall lies another region</source>
         <translation>unter der Wand liegt ein anderer Bereich</translation>
     </message>
+    <message>
+        <source>%1 has its parameters at P%2, in %3 lines, and section P has %4</source>
+        <translation>%1 hat seine Parameter ab P%2, in %3 Zeilen, und Abschnitt P hat %4</translation>
+    </message>
+    <message>
+        <source>%1 has no number in the directory where one must be</source>
+        <translation>%1 hat im Verzeichnis keine Zahl, wo eine stehen muss</translation>
+    </message>
+    <message>
+        <source>%1 has parameters that do not end with %2</source>
+        <translation>%1 hat Parameter, die nicht mit %2 enden</translation>
+    </message>
+    <message>
+        <source>Copy or download the file again, or export the part again from the CAD program</source>
+        <translation>Kopieren oder laden Sie die Datei noch einmal, oder exportieren Sie das Teil noch einmal aus dem CAD-Programm</translation>
+    </message>
+    <message>
+        <source>Copy or download the file again, or export the part again, as STEP where you can</source>
+        <translation>Kopieren oder laden Sie die Datei noch einmal, oder exportieren Sie das Teil noch einmal, wenn möglich als STEP</translation>
+    </message>
+    <message>
+        <source>Export it with exact geometry, or as STL or 3MF</source>
+        <translation>Exportieren Sie es mit genauer Geometrie, oder als STL oder 3MF</translation>
+    </message>
+    <message>
+        <source>Export the part again from the CAD program, as STEP where you can</source>
+        <translation>Exportieren Sie das Teil noch einmal aus dem CAD-Programm, wenn möglich als STEP</translation>
+    </message>
+    <message>
+        <source>Export the part again from the CAD program, or mend this entity</source>
+        <translation>Exportieren Sie das Teil noch einmal aus dem CAD-Programm, oder berichtigen Sie diesen Eintrag</translation>
+    </message>
+    <message>
+        <source>Export the part as AP203, AP214 or AP242</source>
+        <translation>Exportieren Sie das Teil als AP203, AP214 oder AP242</translation>
+    </message>
+    <message>
+        <source>Export the part as a solid (AP203, AP214 or AP242); check in the CAD program that it is closed</source>
+        <translation>Exportieren Sie das Teil als Volumenkörper (AP203, AP214 oder AP242); prüfen Sie im CAD-Programm, ob es geschlossen ist</translation>
+    </message>
+    <message>
+        <source>Export the part with its surfaces, as STEP where you can</source>
+        <translation>Exportieren Sie das Teil mit seinen Flächen, wenn möglich als STEP</translation>
+    </message>
+    <message>
+        <source>a ; is missing before %1</source>
+        <translation>vor %1 fehlt ein ;</translation>
+    </message>
+    <message>
+        <source>a comment is not closed by */</source>
+        <translation>ein Kommentar ist nicht mit */ geschlossen</translation>
+    </message>
+    <message>
+        <source>a finite number must be here, and not %1</source>
+        <translation>hier muss eine endliche Zahl stehen und nicht %1</translation>
+    </message>
+    <message>
+        <source>a loop of edges</source>
+        <translation>ein Umlauf von Kanten</translation>
+    </message>
+    <message>
+        <source>a text is not closed by &apos;: %1</source>
+        <translation>ein Text ist nicht mit &apos; geschlossen: %1</translation>
+    </message>
+    <message>
+        <source>an edge</source>
+        <translation>eine Kante</translation>
+    </message>
+    <message>
+        <source>entities begin without DATA before them</source>
+        <translation>Einträge beginnen, ohne dass DATA davor steht</translation>
+    </message>
+    <message>
+        <source>has %1 coordinates: a decimal comma, where STEP wants a point?</source>
+        <translation>hat %1 Koordinaten: ein Dezimalkomma, wo STEP einen Punkt verlangt?</translation>
+    </message>
+    <message>
+        <source>has %1 parameters in place of %2</source>
+        <translation>hat %1 Parameter statt %2</translation>
+    </message>
+    <message>
+        <source>has coordinates that are no list of finite numbers</source>
+        <translation>hat Koordinaten, die keine Liste endlicher Zahlen sind</translation>
+    </message>
+    <message>
+        <source>has the parameters of another type, %1</source>
+        <translation>hat die Parameter eines anderen Typs, %1</translation>
+    </message>
+    <message>
+        <source>is open: %1 of its %2 edges are on one face only, the first is %3</source>
+        <translation>ist offen: %1 ihrer %2 Kanten liegen an nur einer Fläche, die erste ist %3</translation>
+    </message>
+    <message>
+        <source>is there twice</source>
+        <translation>ist zweimal da</translation>
+    </message>
+    <message>
+        <source>it ends before its entities (DATA)</source>
+        <translation>sie endet vor ihren Einträgen (DATA)</translation>
+    </message>
+    <message>
+        <source>it ends within its header</source>
+        <translation>sie endet innerhalb ihres Kopfes</translation>
+    </message>
+    <message>
+        <source>it ends without END-ISO-10303-21</source>
+        <translation>sie endet ohne END-ISO-10303-21</translation>
+    </message>
+    <message>
+        <source>it is cut off: %1</source>
+        <translation>sie ist abgeschnitten: %1</translation>
+    </message>
+    <message>
+        <source>it is cut off: behind its shapes there must be which of them is the part</source>
+        <translation>sie ist abgeschnitten: hinter ihren Formen muss stehen, welche davon das Teil ist</translation>
+    </message>
+    <message>
+        <source>it is cut off: it ends before its section %1</source>
+        <translation>sie ist abgeschnitten: sie endet vor ihrem Abschnitt %1</translation>
+    </message>
+    <message>
+        <source>it is cut off: it ends within its section %1</source>
+        <translation>sie ist abgeschnitten: sie endet innerhalb ihres Abschnitts %1</translation>
+    </message>
+    <message>
+        <source>it is cut off: it ends without its last line (section T)</source>
+        <translation>sie ist abgeschnitten: sie endet ohne ihre letzte Zeile (Abschnitt T)</translation>
+    </message>
+    <message>
+        <source>its format is version %1, and 1 to 3 are known</source>
+        <translation>ihr Format ist Version %1, bekannt sind 1 bis 3</translation>
+    </message>
+    <message>
+        <source>its schema is IFC, a building&apos;s, which is no CAD part</source>
+        <translation>ihr Schema ist IFC, das eines Bauwerks, und kein CAD-Teil</translation>
+    </message>
+    <message>
+        <source>line P%1 is not of %2</source>
+        <translation>Zeile P%1 gehört nicht zu %2</translation>
+    </message>
+    <message>
+        <source>names no entity where %1 must be</source>
+        <translation>nennt keinen Eintrag, wo %1 stehen muss</translation>
+    </message>
+    <message>
+        <source>no letter</source>
+        <translation>kein Buchstabe</translation>
+    </message>
+    <message>
+        <source>nothing in STEP begins like this: %1</source>
+        <translation>nichts in STEP beginnt so: %1</translation>
+    </message>
+    <message>
+        <source>points nowhere: all its coordinates are 0</source>
+        <translation>zeigt nirgendwohin: alle seine Koordinaten sind 0</translation>
+    </message>
+    <message>
+        <source>refers to #%1, which is not there</source>
+        <translation>verweist auf #%1, das es nicht gibt</translation>
+    </message>
+    <message>
+        <source>refers to %1 where %2 must be</source>
+        <translation>verweist auf %1, wo %2 stehen muss</translation>
+    </message>
+    <message>
+        <source>refers to D%1, where no entity begins</source>
+        <translation>verweist auf D%1, wo kein Eintrag beginnt</translation>
+    </message>
+    <message>
+        <source>refers to D, where no entity begins</source>
+        <translation>verweist auf D, wo kein Eintrag beginnt</translation>
+    </message>
+    <message>
+        <source>section %1</source>
+        <translation>Abschnitt %1</translation>
+    </message>
+    <message>
+        <source>section %1 says that it has %2, and only %3 numbers follow</source>
+        <translation>Abschnitt %1 sagt, dass er %2 hat, und nur %3 Zahlen folgen</translation>
+    </message>
+    <message>
+        <source>shape %1 (%2) is made of nothing</source>
+        <translation>Form %1 (%2) besteht aus nichts</translation>
+    </message>
+    <message>
+        <source>shape %1 of %2 must begin here (Ve, Ed, Wi, Fa, Sh, So, CS or Co), and not %3</source>
+        <translation>Form %1 von %2 muss hier beginnen (Ve, Ed, Wi, Fa, Sh, So, CS oder Co) und nicht %3</translation>
+    </message>
+    <message>
+        <source>shape %1 refers to shape %2, and only %3 to %4 stand before it</source>
+        <translation>Form %1 verweist auf Form %2, und nur %3 bis %4 stehen davor</translation>
+    </message>
+    <message>
+        <source>the 73rd letter of the line is %1, and none of the sections that may follow (%2) begins so</source>
+        <translation>das 73. Zeichen der Zeile ist %1, und keiner der Abschnitte, die folgen dürfen (%2), beginnt so</translation>
+    </message>
+    <message>
+        <source>the count of section %1 is no number: %2</source>
+        <translation>die Anzahl des Abschnitts %1 ist keine Zahl: %2</translation>
+    </message>
+    <message>
+        <source>the directory has %1 lines, and each entity has two of it</source>
+        <translation>das Verzeichnis hat %1 Zeilen, und jeder Eintrag hat zwei davon</translation>
+    </message>
+    <message>
+        <source>the last line says &quot;%1&quot; of section %2, which has %3 lines</source>
+        <translation>die letzte Zeile sagt „%1“ von Abschnitt %2, der %3 Zeilen hat</translation>
+    </message>
+    <message>
+        <source>the line has %1 letters in place of 80</source>
+        <translation>die Zeile hat %1 Zeichen statt 80</translation>
+    </message>
+    <message>
+        <source>the line is numbered %1 where number %2 must be: lines are missing, or there twice</source>
+        <translation>die Zeile trägt die Nummer %1, wo Nummer %2 stehen muss: Zeilen fehlen oder sind zweimal da</translation>
+    </message>
+    <message>
+        <source>the part has triangles in place of CAD faces</source>
+        <translation>das Teil hat Dreiecke statt CAD-Flächen</translation>
+    </message>
+    <message>
+        <source>the part is shape %1, and there are %2</source>
+        <translation>das Teil ist Form %1, und es gibt %2</translation>
+    </message>
+    <message>
+        <source>the part is shape %1, which is %2</source>
+        <translation>das Teil ist Form %1, und die ist %2</translation>
+    </message>
+    <message>
+        <source>the section %1 must begin here, and not %2</source>
+        <translation>hier muss der Abschnitt %1 beginnen und nicht %2</translation>
+    </message>
+    <message>
+        <source>there is a ) that no ( belongs to</source>
+        <translation>da ist eine ), zu der keine ( gehört</translation>
+    </message>
+    <message>
+        <source>there is a byte that is no text, %1</source>
+        <translation>da ist ein Byte, das kein Text ist, %1</translation>
+    </message>
+    <message>
+        <source>there is a byte that is no text, 0x00</source>
+        <translation>da ist ein Byte, das kein Text ist, 0x00</translation>
+    </message>
+    <message>
+        <source>there is no = behind the number</source>
+        <translation>hinter der Nummer fehlt das =</translation>
+    </message>
+    <message>
+        <source>there is no solid, no shell and no face among its entities (%1)</source>
+        <translation>unter ihren Einträgen (%1) ist kein Volumenkörper, keine Schale und keine Fläche</translation>
+    </message>
+    <message>
+        <source>there is no surface and no solid among its entities (%1)</source>
+        <translation>unter ihren Einträgen (%1) ist keine Fläche und kein Volumenkörper</translation>
+    </message>
+    <message>
+        <source>this is no number of an entity</source>
+        <translation>das ist keine Nummer eines Eintrags</translation>
+    </message>
 </context>
 <context>
     <name>server_lists</name>
