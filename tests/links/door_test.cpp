@@ -222,6 +222,43 @@ TEST_F(Door, AListOfLowerNumberIsNamedWithBothNumbers) {
   EXPECT_TRUE(identity.look());
 }
 
+/// The authority's list, signed anew as if a newer one should have been there an hour ago.
+void make_overdue(const fs::path& ca) {
+  const auto list = value(certs::read_revoked(ca / "crl.pem"));
+  const auto key = value(certs::read_key(ca / certs::authority_key_file));
+  const auto now = certs::now_s();
+  ASN1_TIME* then = ASN1_TIME_set(nullptr, now - 7200);
+  X509_CRL_set1_lastUpdate(list.get(), then);
+  ASN1_TIME_set(then, now - 3600);
+  X509_CRL_set1_nextUpdate(list.get(), then);
+  ASN1_TIME_free(then);
+  ASSERT_GT(X509_CRL_sign(list.get(), key.get(), EVP_sha256()), 0);
+  put(ca / "crl.pem", certs::to_pem(*list));
+}
+
+TEST_F(Door, AListThatIsOverdueHoldsAndIsToldOnce) {
+  make_overdue(ca());
+  ::testing::internal::CaptureStderr();
+  logging::set_level("warning");
+  auto given = options_of_bare_links();
+  given.look_every = milliseconds(5);
+  const auto open = value(door::open(std::move(given)));
+  std::string said;
+  EXPECT_TRUE(eventually([&] {
+    said += ::testing::internal::GetCapturedStderr();
+    ::testing::internal::CaptureStderr();
+    return said.find("should have been followed by a newer one") != std::string::npos;
+  }));
+  EXPECT_TRUE(dialled("worker", open->port()).has_value());
+  value(certs::revoke(ca(), {"worker", ""}));
+  make_overdue(ca());
+  EXPECT_THAT(refusal_of("worker", open->port()).message, HasSubstr("was revoked"));
+  said += ::testing::internal::GetCapturedStderr();
+  logging::set_level("off");
+  const auto first = said.find("should have been followed");
+  EXPECT_EQ(said.find("should have been followed", first + 1), std::string::npos) << said;
+}
+
 TEST_F(Door, WhoIsRevokedWhileConnectedIsCutAndOthersStay) {
   issued({role::solver, "other"});
   auto given = options_of_bare_links();
