@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // What a door and a dial say and do, without CAF between them.
+#include <fcntl.h>
 #include <sys/socket.h>
+#include <unistd.h>
 
 #include "actors/links/tls_identity.hpp"
 #include "tests/links/doors.hpp"
@@ -236,27 +238,34 @@ void make_overdue(const fs::path& ca) {
   put(ca / "crl.pem", certs::to_pem(*list));
 }
 
+/// What goes to stderr goes to a file as long as this lives.
+class stderr_in_file {
+public:
+  explicit stderr_in_file(const fs::path& file) : before_(::dup(STDERR_FILENO)) {
+    const unique_fd to(::open(file.c_str(), O_CREAT | O_WRONLY | O_APPEND, 0600));
+    EXPECT_GE(::dup2(to.get(), STDERR_FILENO), 0);
+  }
+  ~stderr_in_file() { ::dup2(before_.get(), STDERR_FILENO); }
+
+private:
+  unique_fd before_;
+};
+
 TEST_F(Door, AListThatIsOverdueHoldsAndIsToldOnce) {
   make_overdue(ca());
-  ::testing::internal::CaptureStderr();
+  const std::string words = "should have been followed by a newer one";
+  const stderr_in_file kept(at("log"));
   logging::set_level("warning");
   auto given = options_of_bare_links();
   given.look_every = milliseconds(5);
   const auto open = value(door::open(std::move(given)));
-  std::string said;
-  EXPECT_TRUE(eventually([&] {
-    said += ::testing::internal::GetCapturedStderr();
-    ::testing::internal::CaptureStderr();
-    return said.find("should have been followed by a newer one") != std::string::npos;
-  }));
+  EXPECT_TRUE(eventually([&] { return text_of(at("log")).find(words) != std::string::npos; }));
   EXPECT_TRUE(dialled("worker", open->port()).has_value());
   value(certs::revoke(ca(), {"worker", ""}));
   make_overdue(ca());
   EXPECT_THAT(refusal_of("worker", open->port()).message, HasSubstr("was revoked"));
-  said += ::testing::internal::GetCapturedStderr();
-  logging::set_level("off");
-  const auto first = said.find("should have been followed");
-  EXPECT_EQ(said.find("should have been followed", first + 1), std::string::npos) << said;
+  const auto said = text_of(at("log"));
+  EXPECT_EQ(said.find(words, said.find(words) + 1), std::string::npos) << said;
 }
 
 TEST_F(Door, WhoIsRevokedWhileConnectedIsCutAndOthersStay) {
