@@ -238,14 +238,20 @@ void make_overdue(const fs::path& ca) {
   put(ca / "crl.pem", certs::to_pem(*list));
 }
 
-/// What goes to stderr goes to a file as long as this lives.
-class stderr_in_file {
+/// What goes to stdout, where the log of a test goes, is in a file as long as this lives.
+class log_in_file {
 public:
-  explicit stderr_in_file(const fs::path& file) : before_(::dup(STDERR_FILENO)) {
+  explicit log_in_file(const fs::path& file) : before_(::dup(STDOUT_FILENO)) {
+    std::fflush(stdout);
     const unique_fd to(::open(file.c_str(), O_CREAT | O_WRONLY | O_APPEND, 0600));
-    EXPECT_GE(::dup2(to.get(), STDERR_FILENO), 0);
+    EXPECT_GE(::dup2(to.get(), STDOUT_FILENO), 0);
+    logging::set_level("warning");
   }
-  ~stderr_in_file() { ::dup2(before_.get(), STDERR_FILENO); }
+  ~log_in_file() {
+    logging::set_level("off");
+    std::fflush(stdout);
+    ::dup2(before_.get(), STDOUT_FILENO);
+  }
 
 private:
   unique_fd before_;
@@ -254,16 +260,24 @@ private:
 TEST_F(Door, AListThatIsOverdueHoldsAndIsToldOnce) {
   make_overdue(ca());
   const std::string words = "should have been followed by a newer one";
-  const stderr_in_file kept(at("log"));
-  logging::set_level("warning");
+  const auto is_told = [&] { return text_of(at("log")).find(words) != std::string::npos; };
   auto given = options_of_bare_links();
   given.look_every = milliseconds(5);
-  const auto open = value(door::open(std::move(given)));
-  EXPECT_TRUE(eventually([&] { return text_of(at("log")).find(words) != std::string::npos; }));
-  EXPECT_TRUE(dialled("worker", open->port()).has_value());
-  value(certs::revoke(ca(), {"worker", ""}));
-  make_overdue(ca());
-  EXPECT_THAT(refusal_of("worker", open->port()).message, HasSubstr("was revoked"));
+  bool told = false;
+  bool let_in = false;
+  std::string why;
+  {
+    const log_in_file kept(at("log"));
+    const auto open = value(door::open(std::move(given)));
+    told = eventually(is_told);
+    let_in = dialled("worker", open->port()).has_value();
+    value(certs::revoke(ca(), {"worker", ""}));
+    make_overdue(ca());
+    why = refusal_of("worker", open->port()).message;
+  }
+  EXPECT_TRUE(told);
+  EXPECT_TRUE(let_in);
+  EXPECT_THAT(why, HasSubstr("was revoked"));
   const auto said = text_of(at("log"));
   EXPECT_EQ(said.find(words, said.find(words) + 1), std::string::npos) << said;
 }
