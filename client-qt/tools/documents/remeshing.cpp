@@ -34,8 +34,12 @@ void remeshing::ask() {
       {ec::conflict, "the CAD file was changed or is gone since it was read",
        "Open it anew, then pick the walls", source.file.mesh.toStdString()});
   std::map<std::string, QString> names;
-  for (const auto id : in_.picked.surfaces())
-    names.emplace(std::to_string(id), in_.part.surface_name(id));
+  for (const auto id : in_.picked.surfaces()) {  // Several may have one name.
+    const QString number = QString::number(id);
+    const QString name = in_.part.surface_name(id);
+    names.emplace(number.toStdString(),
+                  name.contains(number) ? name : QString("%1 (%2)").arg(number, name));
+  }
   auto* form = new remesh_form(source.file, std::move(names), &in_.window);
   form->setAttribute(Qt::WA_DeleteOnClose);
   connect(form, &QDialog::accepted, this, [this, form] { mesh(form->wanted()); });
