@@ -34,6 +34,11 @@ expected<void> open_into(std::vector<field>& fields, const std::vector<field_ref
   return {};
 }
 
+/// `results.end()` once others have taken its place.
+auto of_solve(std::list<session_state::kept_result>& results, std::uint64_t solve) {
+  return std::ranges::find(results, solve, [](const auto& one) { return one.event.number; });
+}
+
 }  // namespace
 
 /// A result on its way: what has come of it, and what may yet.
@@ -117,8 +122,7 @@ caf::result<held_result> session_state::watch(const watch_request& request) {
 
 void session_state::bring_watched(std::uint64_t solve, const version_ptr& mesh,
                                   const std::function<void(bool)>& done) {
-  const auto kept =
-    std::ranges::find(results, solve, [](const auto& one) { return one.event.number; });
+  const auto kept = of_solve(results, solve);
   std::vector<field_ref> wanted;
   if (kept != results.end())
     std::ranges::copy_if(kept->left, std::back_inserter(wanted),
@@ -137,8 +141,7 @@ void session_state::bring_watched(std::uint64_t solve, const version_ptr& mesh,
 
 bool session_state::add_fields(std::uint64_t solve, const version_ptr& mesh,
                                const std::vector<field_ref>& wanted, const page_set& pages) {
-  const auto kept =
-    std::ranges::find(results, solve, [](const auto& one) { return one.event.number; });
+  const auto kept = of_solve(results, solve);
   const auto before = kept == results.end() ? nullptr : parts.results->find(kept->shown);
   if (!before)
     return false;
@@ -161,8 +164,7 @@ bool session_state::add_fields(std::uint64_t solve, const version_ptr& mesh,
 
 /// Of a result whose worker is gone, or has forgotten it, what was left there is made anew.
 void session_state::solve_once_more(std::uint64_t solve) {
-  const auto kept =
-    std::ranges::find(results, solve, [](const auto& one) { return one.event.number; });
+  const auto kept = of_solve(results, solve);
   const auto* head = graph.head();
   if (active || kept == results.end() || !head || kept->key.version != to_hex(head->info.id))
     return;
