@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <thread>
 
 #include "tests/scenarios/fixture.hpp"
 
@@ -118,6 +119,11 @@ TEST(Reopen, WhoHasTheFieldsOfASolveIsNotSentThemAgain) {
   const auto field = value(back->wait_field(head, patience));
   EXPECT_EQ(field.solve, solve);
   EXPECT_FALSE(field.values.of("stress_pa").empty());
+  // Who waits for a field is told before who listens.
+  const auto until = std::chrono::steady_clock::now() + patience;
+  while (came == 0 && std::chrono::steady_clock::now() < until)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  value(back->status());  // What was sent before it has come.
   EXPECT_EQ(came, 1);
 
   // A server that began anew has other numbers.
