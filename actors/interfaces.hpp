@@ -25,6 +25,7 @@ using get_atom = caf::atom_constant<caf::atom("get")>;
 using existing_atom = caf::atom_constant<caf::atom("existing")>;
 using end_atom = caf::atom_constant<caf::atom("end")>;
 using end_solve_atom = caf::atom_constant<caf::atom("endsolve")>;
+using lies_at_atom = caf::atom_constant<caf::atom("liesat")>;
 using list_atom = caf::atom_constant<caf::atom("list")>;
 using load_atom = caf::atom_constant<caf::atom("load")>;
 using rate_atom = caf::atom_constant<caf::atom("rate")>;
@@ -43,8 +44,12 @@ using page_store_actor = caf::typed_actor<
   caf::replies_to<get_atom, hash_list, bool>::with<page_batch>,
   // Pulls what this node lacks from another store, under a credit, and holds all that was named.
   caf::replies_to<fetch_atom, caf::actor, hash_list>::with<page_set>,
-  // Bytes a second that came from another store; 0: not known.
-  caf::replies_to<rate_atom, caf::actor>::with<double>>;
+  // Bytes a second that came from another store; 0: not known. Of itself: of the slowest of those
+  // where pages of its own results lie.
+  caf::replies_to<rate_atom, caf::actor>::with<double>,
+  // Where pages lie that a result of this process names as its own: who pulls them from here gets
+  // them from there.
+  caf::reacts_to<lies_at_atom, caf::actor, hash_list>>;
 
 // -- workers: each may die at any time; its pool does the work again ----------------------
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "actors/versions.hpp"
 
+#include "fem/quantities.hpp"
+
 namespace tedit::actors {
 
 version_ref make_ref(const version_ptr& version) {
@@ -30,6 +32,14 @@ field_ref make_ref(const field& f) {
   for (const auto& p : f.values.pages())
     ref.pages.push_back(p->id());
   return ref;
+}
+
+const fem::result_array* for_watchers(const field_ref& one) {
+  for (const auto& array : fem::result_arrays)
+    if (fem::is_for_watchers(array) && one.name.starts_with(array.name) &&
+        (one.name.size() == array.name.size() || one.name[array.name.size()] == ' '))
+      return &array;
+  return nullptr;
 }
 
 hash_list pages_of(const std::vector<field_ref>& fields) {

@@ -3,6 +3,10 @@
 
 #include "actors/local_messages.hpp"
 
+namespace tedit::fem {
+struct result_array;
+}
+
 namespace tedit::actors {
 
 [[nodiscard]] version_ref make_ref(const version_ptr& version);
@@ -19,6 +23,10 @@ namespace tedit::actors {
 [[nodiscard]] expected<version_ptr> open_version(const version_ref& ref, const page_set& pages);
 
 [[nodiscard]] field_ref make_ref(const field& f);
+
+/// The array of a load case that only those need who watch it, or null: "stress_pa (braking)" is
+/// "stress_pa".
+[[nodiscard]] const fem::result_array* for_watchers(const field_ref& one);
 
 /// The pages of all of them.
 [[nodiscard]] hash_list pages_of(const std::vector<field_ref>& fields);

@@ -206,6 +206,12 @@ hash_list sort_pages(page_store_state& state, std::uint64_t id, page_transfer& t
   return missing;
 }
 
+/// From now on its end is noticed, and how quick it is.
+void watch_line(page_store_pointer self, const caf::actor& remote) {
+  if (remote && self->state.lines.try_emplace(remote.address()).second)
+    self->monitor(remote);
+}
+
 caf::result<page_set> fetch(page_store_pointer self, const caf::actor& remote,
                             const hash_list& ids) {
   auto& state = self->state;
@@ -223,16 +229,74 @@ caf::result<page_set> fetch(page_store_pointer self, const caf::actor& remote,
   auto promise = self->template make_response_promise<page_set>();
   transfer.promise = promise;
   state.transfers.emplace(id, std::move(transfer));
-  if (remote && state.lines.try_emplace(remote.address()).second)
-    self->monitor(remote);
+  watch_line(self, remote);
   pump(self, id);
   return promise;
+}
+
+/// Pages of several places on their way.
+struct gathering {
+  std::shared_ptr<page_map> found = std::make_shared<page_map>();
+  std::size_t moved = 0;
+  std::size_t awaited = 0;
+  caf::typed_response_promise<page_set> promise;
+};
+
+/// Pages that a result of this process names: each from where it lies.
+caf::result<page_set> fetch_from_places(page_store_pointer self, const hash_list& ids) {
+  std::map<caf::actor, hash_list> by_place;
+  for (const auto& id : ids)
+    by_place[self->state.place_of(id)].push_back(id);
+  if (by_place.size() < 2)
+    return fetch(self, by_place.empty() ? caf::actor() : by_place.begin()->first, ids);
+  const auto all = std::make_shared<gathering>();
+  all->awaited = by_place.size();
+  all->promise = self->template make_response_promise<page_set>();
+  const auto own = caf::actor_cast<page_store_actor>(self);
+  for (const auto& [node, pages] : by_place)
+    self->request(own, caf::infinite, fetch_atom::value, node, pages)
+      .then(
+        [=](const page_set& some) {
+          all->found->insert(some.pages->begin(), some.pages->end());
+          all->moved += some.moved;
+          if (--all->awaited == 0)
+            all->promise.deliver(page_set{all->found, all->moved});
+        },
+        [=](const caf::error& e) {
+          if (all->promise.pending())
+            all->promise.deliver(e);
+        });
+  return all->promise;
+}
+
+void note_place(page_store_pointer self, const caf::actor& node, hash_list pages) {
+  if (!is_asked_from_here(self) || !node || pages.empty())
+    return;
+  std::ranges::sort(pages);
+  auto& places = self->state.places;
+  places.push_front({node, std::move(pages)});
+  if (places.size() > places_kept)
+    places.pop_back();
+  watch_line(self, node);
+}
+
+double rate_of(page_store_pointer self, const caf::actor& remote) {
+  if (remote && remote.address() != self->address()) {
+    const auto* line = line_of(self->state, remote.address());
+    return line ? line->rate : 0;
+  }
+  double least = 0;
+  for (const auto& one : self->state.places)
+    if (const auto* line = line_of(self->state, one.node.address()); line && line->rate > 0)
+      least = least > 0 ? std::min(least, line->rate) : line->rate;
+  return least;
 }
 
 /// A node is gone: what was to come from it is asked for elsewhere by those who can.
 void drop_node(page_store_pointer self, const caf::actor_addr& node) {
   auto& state = self->state;
   state.lines.erase(node);
+  std::erase_if(state.places, [&](const auto& one) { return one.node.address() == node; });
   std::vector<std::uint64_t> lost;
   for (auto& [id, transfer] : state.transfers) {
     if (!transfer.remote || transfer.remote.address() != node)
@@ -248,6 +312,12 @@ void drop_node(page_store_pointer self, const caf::actor_addr& node) {
 }
 
 }  // namespace
+
+caf::actor page_store_state::place_of(const hash128& id) const {
+  const auto found = std::ranges::find_if(
+    places, [&](const place& one) { return std::ranges::binary_search(one.pages, id); });
+  return found == places.end() ? caf::actor() : found->node;
+}
 
 std::size_t page_store_state::line::credit() const {
   if (rate <= 0)
@@ -280,11 +350,12 @@ page_store_actor::behavior_type make_page_store(
             return std::move(*batch);
           },
           [=](fetch_atom, const caf::actor& remote, const hash_list& ids) {
-            return fetch(self, remote, ids);
+            return remote && remote.address() == self->address() ? fetch_from_places(self, ids)
+                                                                 : fetch(self, remote, ids);
           },
-          [=](rate_atom, const caf::actor& remote) {
-            const auto* line = remote ? line_of(self->state, remote.address()) : nullptr;
-            return line ? line->rate : 0.0;
+          [=](rate_atom, const caf::actor& remote) { return rate_of(self, remote); },
+          [=](lies_at_atom, const caf::actor& node, const hash_list& pages) {
+            note_place(self, node, pages);
           }};
 }
 

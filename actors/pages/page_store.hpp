@@ -30,6 +30,10 @@ inline constexpr double packing_rate = 25e6;
 /// batch is late for those before it.
 inline constexpr std::chrono::seconds most_ahead{3};
 
+/// Of so many lists of pages it is known where they lie; the oldest is forgotten first, as workers
+/// forget results.
+inline constexpr std::size_t places_kept = 64;
+
 struct page_store_state {
   using clock = std::chrono::steady_clock;
 
@@ -62,10 +66,20 @@ struct page_store_state {
     void note(double size, clock::time_point now);
   };
 
+  /// Pages that lie with another node.
+  struct place {
+    caf::actor node;
+    hash_list pages;  ///< Sorted.
+  };
+
+  /// The node that has a page, as somebody of this process said; null if nobody did.
+  [[nodiscard]] caf::actor place_of(const hash128& id) const;
+
   std::shared_ptr<page_cache> cache;
   std::map<std::uint64_t, transfer> transfers;
   std::map<hash128, coming_page> coming;
   std::map<caf::actor_addr, line> lines;  ///< To stores whose end must be noticed.
+  std::deque<place> places;               ///< The newest first.
   std::uint64_t next = 0;
 
   static inline const char* name = "page_store";
@@ -73,7 +87,8 @@ struct page_store_state {
 
 /// Answers for the pages of this process and pulls missing ones from other nodes: batches of at
 /// most 256 KiB, `transfer_credit` at a time, each page checked against its hash. A page that
-/// several want is asked for once; where that fails, the next of them asks its own node.
+/// several want is asked for once; where that fails, the next of them asks its own node. What a
+/// result of this process has elsewhere is pulled from there (docs/decisions/0066).
 page_store_actor::behavior_type make_page_store(
   page_store_actor::stateful_pointer<page_store_state> self, std::shared_ptr<page_cache> cache);
 

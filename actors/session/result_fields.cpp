@@ -13,15 +13,6 @@ namespace tedit::actors {
 
 namespace {
 
-/// The array of a load case that only watchers need, or null: "stress_pa (braking)" is "stress_pa".
-const fem::result_array* for_watchers(const field_ref& one) {
-  for (const auto& array : fem::result_arrays)
-    if (fem::is_for_watchers(array) && one.name.starts_with(array.name) &&
-        (one.name.size() == array.name.size() || one.name[array.name.size()] == ' '))
-      return &array;
-  return nullptr;
-}
-
 /// Adds fields whose pages have come. Errors: `protocol_error`.
 expected<void> open_into(std::vector<field>& fields, const std::vector<field_ref>& refs,
                          const page_set& pages) {

@@ -73,7 +73,16 @@ void fail_all(spreading_pointer self, const spread_ptr& run, const error& e) {
   run->promise.deliver(to_caf(e));
 }
 
-/// The shown fields of all parts, one part after the other as each has its own place; then `use`.
+/// Of a part's fields those to bring here: over a slow line not what only watchers need.
+std::vector<field_ref> to_bring(const solve_result& part, double rate) {
+  auto arrays = arrays_of_cases(part);
+  if (is_slow(rate))
+    std::erase_if(arrays, [](const field_ref& one) { return for_watchers(one) != nullptr; });
+  return arrays;
+}
+
+/// What is to be here of the fields of all parts, one part after the other as each has its own
+/// place; then `use`.
 void gather(spreading_pointer self, const std::shared_ptr<std::vector<solve_result>>& parts,
             const std::shared_ptr<page_map>& found, std::size_t next,
             const std::function<void(const page_set&)>& use,
@@ -81,15 +90,31 @@ void gather(spreading_pointer self, const std::shared_ptr<std::vector<solve_resu
   if (next == parts->size())
     return use(page_set{found, found->size()});
   const auto& part = (*parts)[next];
-  self
-    ->request(self->state.pages, longest, fetch_atom::value, part.source,
-              pages_of(arrays_of_cases(part)))
-    .then(
-      [=](const page_set& pages) {
-        found->insert(pages.pages->begin(), pages.pages->end());
-        gather(self, parts, found, next + 1, use, refuse);
-      },
-      [=](const caf::error& e) { refuse(from_caf(e, "fetching a part of the result")); });
+  const auto failed = [=](const caf::error& e) {
+    refuse(from_caf(e, "fetching a part of the result"));
+  };
+  const auto bring = [=, &part](double rate) {
+    self
+      ->request(self->state.pages, longest, fetch_atom::value, part.source,
+                pages_of(to_bring(part, rate)))
+      .then(
+        [=](const page_set& pages) {
+          found->insert(pages.pages->begin(), pages.pages->end());
+          gather(self, parts, found, next + 1, use, refuse);
+        },
+        failed);
+  };
+  self->request(self->state.pages, longest, rate_atom::value, part.source).then(bring, failed);
+}
+
+/// Whoever asks this process for what stayed with a part gets it from there.
+void tell_places(spreading_pointer self, const std::vector<solve_result>& parts) {
+  for (const auto& part : parts) {
+    auto pages = pages_of(part.fields);
+    const auto more = pages_of(part.more);
+    pages.insert(pages.end(), more.begin(), more.end());
+    self->send(self->state.pages, lies_at_atom::value, part.source, std::move(pages));
+  }
 }
 
 /// Merges what all parts have and holds the pages for a while.
@@ -105,6 +130,7 @@ void merge(spreading_pointer self, const spread_ptr& run, std::vector<solve_resu
         return refuse(merged.error());
       for (const auto& p : merged->pages)
         self->state.cache->put(p);
+      tell_places(self, *all);
       merged->result.source = caf::actor_cast<caf::actor>(self->state.pages);
       caf::delayed_anon_send(self->state.ear, time_to_fetch, held_pages{std::move(merged->pages)});
       use(std::move(merged->result));

@@ -6,6 +6,7 @@
 #include "actors/supervisor/merge_cases.hpp"
 #include "actors/versions.hpp"
 #include "fem/fields.hpp"
+#include "tests/states/far_store.hpp"
 #include "tests/states/remote_pool_fixture.hpp"
 
 namespace tedit::actors {
@@ -174,8 +175,9 @@ protected:
   CaseSpreading() {
     machines_ = stage_.system().spawn(make_machines, 0);
     notes_ = stage_.system().spawn(make_notes, 0);
+    pages_ = stage_.system().spawn(make_page_store, cache_);
     spreading_ = make_case_spreading(stage_.system(), caf::actor_cast<solver_actor>(machines_),
-                                     stage_.system().spawn(make_page_store, cache_), cache_);
+                                     pages_, cache_);
     auto pages = std::make_shared<manifest>();
     pages->arrays.resize(3);
     pages->arrays[2].size = 60'000;  // Tets.
@@ -212,6 +214,7 @@ protected:
   }
 
   std::shared_ptr<page_cache> cache_ = std::make_shared<page_cache>(std::size_t{1} << 20);
+  page_store_actor pages_;
   caf::actor machines_;
   caf::actor notes_;
   solver_actor spreading_;
@@ -356,6 +359,50 @@ TEST_F(CaseSpreading, WhenFieldsAreGoneWithTheirMachineAllIsSolvedOnceMoreInOneP
   finish(result_of({{"a", {1, 2}}, {"b", {3, 1}}}));
   EXPECT_TRUE(got.is_success());
   EXPECT_EQ(got.count(), 1);
+}
+
+/// Parts whose pages lie with two machines at the end of slow lines.
+class FarCases : public CaseSpreading {
+protected:
+  FarCases() {
+    for (auto& one : machine_)
+      one = stage_.system().spawn(make_far, 0);
+  }
+
+  far_state& far(std::size_t i) { return simulation::state_of<far_state>(machine_[i]); }
+
+  void finish_far(std::size_t i, made_result with) {
+    add(with, fem::case_field("stress_pa", i == 0 ? "a" : "b"), {7, 7, 1. * i});
+    for (const auto& p : with.pages)
+      far(i).pages.emplace(p->id(), p);
+    simulation::state_of<page_store_state>(pages_).lines[machine_[i].address()].rate = 1e6;
+    with.result.source = machine_[i];
+    with.pages.clear();
+    finish(with);
+  }
+
+  std::array<caf::actor, 2> machine_;
+};
+
+TEST_F(FarCases, WhatOnlyWatchersNeedStaysWithItsMachineAndComesWhenItIsAskedFor) {
+  const auto got = solve(7);
+  finish_far(0, result_of({{"a", {1, 2, 0}}}));
+  finish_far(1, result_of({{"b", {3, 1, 0}}}));
+  pass(milliseconds(50));
+  ASSERT_TRUE(got.is_success());
+  EXPECT_EQ(far(0).sent, 1U) << "von Mises stress";
+  EXPECT_EQ(far(1).sent, 1U);
+  const auto& fields = got.value().fields;
+  const auto left = std::ranges::find(fields, "stress_pa (b)", &field_ref::name);
+  ASSERT_NE(left, fields.end());
+  const auto later = ask<page_set>(pages_, fetch_atom::value, got.value().source, left->pages);
+  pass(milliseconds(1));
+  ASSERT_TRUE(later.is_success());
+  EXPECT_EQ(open_field(*left, later.value()).value().values[2], 1);
+  EXPECT_EQ(far(1).sent, 2U);
+  const auto rate = ask<double>(pages_, rate_atom::value, got.value().source);
+  pass(milliseconds(1));
+  EXPECT_TRUE(is_slow(rate.value())) << "a session leaves them there, too";
 }
 
 TEST_F(CaseSpreading, PartsThatDoNotFitTogetherAreToldAndNothingElse) {

@@ -7,6 +7,7 @@
 #include <caf/stateful_actor.hpp>
 #include <caf/typed_event_based_actor.hpp>
 
+#include "tests/states/far_store.hpp"
 #include "tests/states/fixture.hpp"
 
 namespace tedit::actors {
@@ -285,6 +286,105 @@ TEST_F(PageStore, AQuickLineIsAskedForPagesAsTheyAre) {
     send_one();
   }
   EXPECT_TRUE(got.is_success());
+}
+
+/// Results of this process whose pages lie with other nodes.
+class PagesElsewhere : public PageStore {
+protected:
+  PagesElsewhere() {
+    other_ = stage_.system().spawn(make_far, 0);
+    for (const auto& p : pages_)
+      far().pages.emplace(p->id(), p);
+  }
+
+  far_state& far() { return simulation::state_of<far_state>(other_); }
+
+  void say_where(const caf::actor& node, const hash_list& ids) {
+    tell(caf::actor_cast<caf::actor>(store_), lies_at_atom::value, node, ids);
+  }
+
+  answer<page_set> fetch_own(const hash_list& ids) {
+    auto result =
+      ask<page_set>(store_, fetch_atom::value, caf::actor_cast<caf::actor>(store_), ids);
+    pass(milliseconds(1));
+    return result;
+  }
+
+  double own_rate() {
+    const auto rate = ask<double>(store_, rate_atom::value, caf::actor_cast<caf::actor>(store_));
+    pass(milliseconds(1));
+    return rate.value();
+  }
+
+  void set_rate(const caf::actor& node, double bytes_s) {
+    simulation::state_of<page_store_state>(store_).lines.at(node.address()).rate = bytes_s;
+  }
+
+  caf::actor other_;
+};
+
+TEST_F(PagesElsewhere, EachComesFromWhereItLies) {
+  say_where(remote_, {ids_[2], ids_[1]});
+  say_where(other_, {ids_[3], ids_[4]});
+  cache_->put(pages_[5]);
+  const auto got = fetch_own({ids_[1], ids_[2], ids_[3], ids_[4], ids_[5]});
+  EXPECT_FALSE(got.is_there()) << "the first node has not answered";
+  ASSERT_EQ(asked().size(), 1U);
+  EXPECT_THAT(asked().front().ids, ElementsAre(ids_[1], ids_[2]));
+  send_one();
+  ASSERT_TRUE(got.is_success());
+  EXPECT_EQ(got.value().moved, 4U);
+  EXPECT_EQ(got.value().pages->size(), 5U);
+  EXPECT_EQ(far().sent, 2U);
+}
+
+TEST_F(PagesElsewhere, WhatLiesNowhereIsMissing) {
+  say_where(other_, {ids_[3]});
+  EXPECT_EQ(fetch_own({ids_[2], ids_[3]}).refusal().code, ec::not_found);
+  EXPECT_EQ(fetch_own({ids_[2]}).refusal().code, ec::not_found);
+}
+
+TEST_F(PagesElsewhere, WhatANodeForgotIsMissingOnce) {
+  say_where(other_, {ids_[3]});
+  say_where(remote_, {ids_[1]});
+  far().forgot = true;
+  const auto got = fetch_own({ids_[1], ids_[3]});
+  send_one();
+  EXPECT_EQ(got.refusal().code, ec::not_found);
+  EXPECT_EQ(got.count(), 1);
+}
+
+TEST_F(PagesElsewhere, ANodeThatIsGoneHasNone) {
+  say_where(other_, {ids_[3]});
+  simulation::cut_off(other_);
+  pass(milliseconds(1));
+  EXPECT_EQ(fetch_own({ids_[3]}).refusal().code, ec::not_found);
+  EXPECT_TRUE(simulation::state_of<page_store_state>(store_).places.empty());
+}
+
+TEST_F(PagesElsewhere, OnlyThisProcessSaysWhere) {
+  caf::anon_send(store_, lies_at_atom::value, other_, hash_list{ids_[3]});
+  pass(milliseconds(1));
+  EXPECT_EQ(fetch_own({ids_[3]}).refusal().code, ec::not_found);
+}
+
+TEST_F(PagesElsewhere, TheSlowestLineCounts) {
+  EXPECT_EQ(own_rate(), 0);
+  say_where(remote_, {ids_[1]});
+  say_where(other_, {ids_[3]});
+  EXPECT_EQ(own_rate(), 0) << "nothing is known of them";
+  set_rate(other_, 4e6);
+  EXPECT_EQ(own_rate(), 4e6);
+  set_rate(remote_, 1e6);
+  EXPECT_EQ(own_rate(), 1e6);
+}
+
+TEST_F(PagesElsewhere, TheOldestAreForgotten) {
+  say_where(other_, {ids_[0]});
+  for (std::size_t i = 0; i < places_kept; ++i)
+    say_where(other_, {ids_[1]});
+  EXPECT_EQ(fetch_own({ids_[0]}).refusal().code, ec::not_found);
+  EXPECT_TRUE(fetch_own({ids_[1]}).is_success());
 }
 
 TEST(PageBatch, PackedPagesAreSmallerAndTheSame) {

@@ -1,32 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Which fields of a result come from a solver that is far away, and when.
+#include "tests/states/far_store.hpp"
 #include "tests/states/session_fixture.hpp"
 
 namespace tedit::actors {
 namespace {
 
 using names = std::vector<std::string>;
-
-/// A solver's page store on another machine.
-struct far_state {
-  std::map<hash128, page_ptr> pages;
-  std::size_t sent = 0;
-  bool forgot = false;
-  static inline const char* name = "far";
-};
-
-caf::behavior make_far(caf::stateful_actor<far_state>* self, int /*number*/) {
-  return {[=](get_atom, const hash_list& ids, bool packed) -> caf::result<page_batch> {
-            if (self->state.forgot)
-              return to_caf({ec::not_found, "a page is not here any more", {}, {}});
-            page_cache held(std::size_t{1} << 30);
-            for (const auto& id : ids)
-              held.put(self->state.pages.at(id));
-            self->state.sent += ids.size();
-            return pack(held, ids, packed).value();
-          },
-          [](const doing& that) { that.what(); }};
-}
 
 class FarFields : public Session {
 protected:
