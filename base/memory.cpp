@@ -2,6 +2,8 @@
 #include "base/memory.hpp"
 
 #include <sys/resource.h>
+#include <unistd.h>
+
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
@@ -13,18 +15,13 @@
 #include <sstream>
 #include <vector>
 
+#include "base/control_groups.hpp"
+
 namespace tedit {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The first number of a file; nothing when there is none ("max").
-std::optional<std::uint64_t> number_in(const fs::path& file) {
-  std::ifstream in(file);
-  std::uint64_t value = 0;
-  return in >> value ? std::optional(value) : std::nullopt;
-}
 
 /// The number behind a key: "MemAvailable:  123 kB", "inactive_file 456".
 std::optional<std::uint64_t> number_of(const fs::path& file, const std::string& key) {
@@ -40,28 +37,10 @@ std::optional<std::uint64_t> number_of(const fs::path& file, const std::string& 
   return {};
 }
 
-/// The folder of this process's group below a hierarchy: the path behind "0::" or ":memory:".
-std::string group_path(const fs::path& root, const std::string& controller) {
-  std::ifstream in(root / "proc/self/cgroup");
-  std::string line;
-  while (std::getline(in, line)) {
-    const auto first = line.find(':');
-    const auto second = line.find(':', first + 1);
-    if (second != std::string::npos && line.substr(first + 1, second - first - 1) == controller)
-      return fs::path(line.substr(second + 1)).relative_path();
-  }
-  return {};
-}
-
-/// What a group and all above it leave. Files that were read count as used but give way.
-std::uint64_t left_in_groups(const fs::path& top, const std::string& path, const char* limit,
-                             const char* used, const char* cache) {
+/// What groups leave. Files that were read count as used but give way.
+std::uint64_t left_in(const std::vector<fs::path>& groups, const char* limit, const char* used,
+                      const char* cache) {
   std::uint64_t result = std::numeric_limits<std::uint64_t>::max();
-  fs::path group = top;
-  auto part = fs::path(path);
-  std::vector<fs::path> groups{group};
-  for (const auto& name : part)
-    groups.push_back(group /= name);
   for (const auto& folder : groups)
     if (const auto most = number_in(folder / limit); const auto now = number_in(folder / used))
       if (most) {
@@ -106,14 +85,25 @@ memory_room available_memory(const fs::path& root) {
   };
   if (const auto free = number_of(root / "proc/meminfo", "MemAvailable:"))
     take(*free << 10, "the machine");
-  const auto groups = root / "sys/fs/cgroup";
-  take(
-    left_in_groups(groups, group_path(root, ""), "memory.max", "memory.current", "inactive_file"),
-    "the control group");
-  take(left_in_groups(groups / "memory", group_path(root, "memory"), "memory.limit_in_bytes",
-                      "memory.usage_in_bytes", "total_inactive_file"),
+  take(left_in(control_groups(root), "memory.max", "memory.current", "inactive_file"),
+       "the control group");
+  take(left_in(control_groups_v1("memory", root), "memory.limit_in_bytes", "memory.usage_in_bytes",
+               "total_inactive_file"),
        "the control group");
   take(left_of_address_space(root), "the process's address space");
+  return result;
+}
+
+std::uint64_t whole_memory(const fs::path& root) {
+  auto result = static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) *
+                static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+  const auto take = [&](const std::vector<fs::path>& groups, const char* limit) {
+    for (const auto& folder : groups)
+      if (const auto most = number_in(folder / limit))
+        result = std::min(result, *most);
+  };
+  take(control_groups(root), "memory.max");
+  take(control_groups_v1("memory", root), "memory.limit_in_bytes");
   return result;
 }
 

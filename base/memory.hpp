@@ -29,6 +29,10 @@ struct memory_room {
 /// give their own. Cost: reads a few small files.
 [[nodiscard]] memory_room available_memory(const std::filesystem::path& root = "/");
 
+/// What this process could take at most if nobody else took any: the machine's memory, or the
+/// least that one of its control groups may have. Cost: reads a few small files.
+[[nodiscard]] std::uint64_t whole_memory(const std::filesystem::path& root = "/");
+
 /// Refuses work that needs `bytes` when there are less. `what` begins the message ("the solve").
 /// Errors: `out_of_memory` with both sizes, the limit and what to do.
 [[nodiscard]] expected<void> check_memory(std::uint64_t bytes, const memory_room& room,

@@ -14,11 +14,9 @@
 #include <utility>
 
 #include <pthread.h>
-#ifdef __linux__
-#include <sched.h>
-#endif
 
 #include "base/guard.hpp"
+#include "base/processors.hpp"
 
 namespace tedit {
 
@@ -43,16 +41,6 @@ void do_chunk(const job& now, std::size_t chunk) {
 
 thread_local bool inside_work = false;
 
-/// Those that this process may run on.
-unsigned usable_processors() {
-#ifdef __linux__
-  cpu_set_t set;
-  if (sched_getaffinity(0, sizeof(set), &set) == 0)
-    return std::max(1, CPU_COUNT(&set));
-#endif
-  return std::max(1u, std::thread::hardware_concurrency());
-}
-
 /// How long a thread that waits keeps its processor before it blocks: longer than the gaps between
 /// the loops of one solve, shorter than what a wake-up costs on both sides.
 constexpr std::chrono::microseconds patience{50};
@@ -75,7 +63,8 @@ class thread_pool {
 public:
   thread_pool() {
     try {
-      for (unsigned i = 1; i < usable_processors(); ++i)
+      const auto count = processors();
+      for (unsigned i = 1; i < count; ++i)
         threads_.emplace_back([this] { serve(); });
     } catch (const std::system_error&) {
       // No room for more threads: fewer will do, even none.

@@ -10,6 +10,8 @@
 #include "base/child_process.hpp"
 #include "base/forked_call.hpp"
 #include "base/logging/logging.hpp"
+#include "base/memory.hpp"
+#include "base/processors.hpp"
 #include "cad/program.hpp"
 #include "cli/command.hpp"
 #include "cli/config.hpp"
@@ -58,6 +60,16 @@ check_row check_med() {
           there ? "MED files are read and written" : "not read here: there is no " + path.string()};
 }
 
+/// What the server and its workers count on, which in a container is less than the machine has.
+check_row check_machine() {
+  const auto count = processors();
+  const auto left = available_memory();
+  return {"machine", true,
+          std::to_string(count) + (count == 1 ? " processor, " : " processors, ") +
+            std::to_string(whole_memory() >> 20) + " MiB of memory, " +
+            std::to_string(left.bytes >> 20) + " MiB of it free"};
+}
+
 /// By doing it, in a copy of this process.
 check_row check_sandbox(const doctor_options& options) {
   const auto config = load_config(options.config_file);
@@ -82,6 +94,7 @@ check_row check_sandbox(const doctor_options& options) {
 std::vector<check_row> check_all(const doctor_options& options, const cancel_token& stop) {
   auto rows = options.joins.place.empty() ? check_server(options.config_file)
                                           : check_joining(options.joins, stop);
+  rows.push_back(check_machine());
   rows.push_back(check_clock());
   rows.push_back(check_sandbox(options));
   rows.push_back(check_program("tedit-mesher", "operations cannot mesh new volume"));

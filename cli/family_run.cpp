@@ -8,6 +8,7 @@
 #include <mutex>
 #include <thread>
 
+#include "base/processors.hpp"
 #include "base/stopwatch.hpp"
 #include "base/text.hpp"
 #include "cli/family_result.hpp"
@@ -323,7 +324,7 @@ int run_family(const family_options& options, const server_source& reach, sessio
   const auto rows = static_cast<unsigned>(table->rows.size());
   auto jobs = options.jobs;
   if (jobs == 0 && !options.remote)
-    jobs = std::clamp(std::thread::hardware_concurrency(), 1U, most_family_jobs);
+    jobs = std::clamp(processors(), 1U, most_family_jobs);
   embedded_server own;
   auto how = reach(std::clamp(jobs, 1U, rows), own);
   if (!how)

@@ -14,6 +14,7 @@
 #include "base/child_process.hpp"
 #include "base/keeper.hpp"
 #include "base/logging/logging.hpp"
+#include "base/memory.hpp"
 #include "base/process.hpp"
 #include "base/process_usage.hpp"
 #include "base/program_line.hpp"
@@ -67,8 +68,7 @@ int end_of(const expected<void>& done, session& s) {
 }
 
 void limit_worker(const worker_command& given) {
-  const auto pages = static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES));
-  const auto most = pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) / 4 * 3;
+  const auto most = whole_memory() / 4 * 3;
   limit_memory(given.memory_mb > 0 ? std::uint64_t{given.memory_mb} << 20 : most);
 }
 

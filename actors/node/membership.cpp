@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "actors/node/membership.hpp"
 
-#include <unistd.h>
-
 #include <charconv>
 #include <chrono>
-#include <thread>
 #include <utility>
 
 #include <caf/send.hpp>
@@ -17,6 +14,8 @@
 #include "actors/node/system_config.hpp"
 #include "actors/pages/page_store.hpp"
 #include "base/logging/logging.hpp"
+#include "base/memory.hpp"
+#include "base/processors.hpp"
 #include "base/text.hpp"
 
 namespace tedit::actors {
@@ -121,9 +120,8 @@ node_facts facts_of_this_machine(std::string device, const std::string& version)
   node_facts result;
   result.version = version;
   result.device = std::move(device);
-  result.threads = std::thread::hardware_concurrency();
-  result.memory_bytes = static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) *
-                        static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+  result.threads = processors();
+  result.memory_bytes = whole_memory();
   return result;
 }
 

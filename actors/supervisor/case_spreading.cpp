@@ -16,6 +16,7 @@
 #include "actors/errors.hpp"
 #include "actors/exits.hpp"
 #include "actors/links/open_actors.hpp"
+#include "actors/pages/page_store.hpp"
 #include "actors/supervisor/merge_cases.hpp"
 #include "actors/versions.hpp"
 #include "base/logging/logging.hpp"

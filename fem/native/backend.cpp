@@ -2,10 +2,10 @@
 #include "fem/native/backend.hpp"
 
 #include <algorithm>
-#include <thread>
 
 #include "base/guard.hpp"
 #include "base/memory.hpp"
+#include "base/processors.hpp"
 #include "fem/native/system.hpp"
 
 namespace tedit::fem {
@@ -17,7 +17,7 @@ public:
   explicit native_backend(const native_settings& settings) : settings_(settings) {
     info_.name = "cpu";
     info_.kind = "native";
-    info_.driver = std::to_string(std::max(1u, std::thread::hardware_concurrency())) + " threads";
+    info_.driver = std::to_string(processors()) + " threads";
   }
 
   const device_info& info() const override { return info_; }

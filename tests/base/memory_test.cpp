@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "base/memory.hpp"
+#include "base/processors.hpp"
 
 #include <fstream>
 
@@ -61,6 +62,66 @@ TEST_F(Memory, AGroupThatIsFullLeavesNothing) {
   write("sys/fs/cgroup/memory.current", "6000\n");
 
   EXPECT_EQ(available_memory(root_).bytes, 0);
+}
+
+TEST_F(Memory, TheSmallestGroupIsAllThereCanBe) {
+  const auto machine = whole_memory(root_);
+  EXPECT_GT(machine, std::uint64_t{64} << 20);
+  write("proc/self/cgroup", "0::/a/b\n");
+  write("sys/fs/cgroup/memory.max", "9000000\n");
+  write("sys/fs/cgroup/a/memory.max", "1000000\n");
+  write("sys/fs/cgroup/a/b/memory.max", "max\n");
+  EXPECT_EQ(whole_memory(root_), 1000000U);
+}
+
+TEST_F(Memory, AGroupOfTheFirstVersionThatMayHaveAllIsNoLimit) {
+  const auto machine = whole_memory(root_);
+  write("proc/self/cgroup", "4:memory:/job\n");
+  write("sys/fs/cgroup/memory/memory.limit_in_bytes", "9223372036854771712\n");
+  EXPECT_EQ(whole_memory(root_), machine);
+  write("sys/fs/cgroup/memory/job/memory.limit_in_bytes", "5000\n");
+  EXPECT_EQ(whole_memory(root_), 5000U);
+}
+
+/// A container sees its own group as the top, whatever path the host has for it.
+TEST_F(Memory, TheTopOfAContainerCounts) {
+  write("proc/self/cgroup", "0::/../../docker/1234\n");
+  write("sys/fs/cgroup/memory.max", "5000\n");
+  EXPECT_EQ(whole_memory(root_), 5000U);
+}
+
+class Processors : public Memory {};
+
+TEST_F(Processors, AShareOfTimeIsRoundedUp) {
+  const auto all = processors(root_);
+  EXPECT_GE(all, 1U);
+  write("proc/self/cgroup", "0::/a/b\n");
+  write("sys/fs/cgroup/a/cpu.max", "50000 100000\n");
+  write("sys/fs/cgroup/a/b/cpu.max", "max 100000\n");
+  EXPECT_EQ(processors(root_), 1U);
+  write("sys/fs/cgroup/a/cpu.max", "150000 100000\n");
+  EXPECT_EQ(processors(root_), std::min(all, 2U));
+}
+
+TEST_F(Processors, WhatSaysNothingOrIsNonsenseIsNoLimit) {
+  const auto all = processors(root_);
+  write("proc/self/cgroup", "0::/\n");
+  for (const auto* line : {"max 100000\n", "", "50000\n", "50000 0\n", "0 100000\n", "-1 100000\n",
+                           "99999999999999999999 100000\n", "a lot\n"}) {
+    write("sys/fs/cgroup/cpu.max", line);
+    EXPECT_EQ(processors(root_), all) << line;
+  }
+}
+
+TEST_F(Processors, GroupsOfTheFirstVersionCountToo) {
+  const auto all = processors(root_);
+  write("proc/self/cgroup", "5:cpu,cpuacct:/job\n4:memory:/\n");
+  write("sys/fs/cgroup/cpu/cpu.cfs_quota_us", "-1\n");
+  write("sys/fs/cgroup/cpu/cpu.cfs_period_us", "100000\n");
+  EXPECT_EQ(processors(root_), all);
+  write("sys/fs/cgroup/cpu/job/cpu.cfs_quota_us", "10000\n");
+  write("sys/fs/cgroup/cpu/job/cpu.cfs_period_us", "100000\n");
+  EXPECT_EQ(processors(root_), 1U);
 }
 
 TEST(MemoryCheck, ARefusalNamesBothSizesAndTheLimit) {
