@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "base/control_groups.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <fstream>
 #include <string>
@@ -23,8 +24,8 @@ bool has(std::string_view list, std::string_view controller) {
   }
 }
 
-/// The path behind "0::" or "4:memory:". In a container it may be the host's, which is not there:
-/// then the group is the top of what the container sees.
+/// The path behind "0::" or "4:memory:". In a container it may be the host's, which is not there
+/// ("/../../docker/1234"): then the group is the top of what the container sees.
 fs::path group_path(const fs::path& root, std::string_view controller) {
   std::ifstream in(root / "proc/self/cgroup");
   std::string line;
@@ -40,6 +41,8 @@ fs::path group_path(const fs::path& root, std::string_view controller) {
 
 std::vector<fs::path> folders(const fs::path& top, const fs::path& path) {
   std::vector<fs::path> result{top};
+  if (std::ranges::find(path, fs::path("..")) != path.end())
+    return result;
   for (const auto& name : path)
     if (!name.empty())
       result.push_back(result.back() / name);
