@@ -3,14 +3,14 @@
 """A server and its workers on machines of their own, with a bad network between them.
 
 usage: tests/network/machines.py [--program build/release/bin/tedit] [--mesh MESH] [--edits 6] [--only NAME,...] [--partition 60]
-                                 [--kills 0]
+                                 [--kills 0] [--cold]
        as root; PYTHONPATH must have the package tedit (build/release/clients/python).
 
 Machines: hall (server, client), rack-1 and rack-2 (a solver each), desk (a modeling worker), bench (an optimizer). Under each condition the
 same edits are made, undone and solved; each version and each largest stress must be those of a good network, and the document
 must have each edit once. Printed: times from an edit to its answer and to its field, and for faults how long they were noticed and
 restored. With --kills instead: so many workers of each role (of those in --only) are killed, each at a random moment of an edit and its
-solve.
+solve. With --cold instead: solves of parts that no solver has ever seen, over 1 Gbit/s and the same line without a bound.
 """
 import argparse
 import os
@@ -346,6 +346,46 @@ def many_kills(hall, count, only):
     part.close()
 
 
+def cold_solve(hall, name, order):
+    """A part that no solver has: the times to its first and its final field, MB to the solvers and from them."""
+    import tedit
+
+    part = hall.client.open(name)
+    part.import_mesh(hall.mesh, unit="mm")
+    part.set_load_case(PLATE / "load_case.json")
+    heard = part.events(timeout=600)
+    before = [(hall.wire[one].received, hall.wire[one].sent) for one in ("rack-1", "rack-2")]
+    begin, first = time.monotonic(), []
+
+    def listen():
+        for event in heard:
+            if isinstance(event, tedit.FieldArrived):
+                first.append(time.monotonic() - begin)
+                return
+
+    thread = threading.Thread(target=listen)
+    thread.start()
+    solved = part.solve(element_order=order)
+    part.wait_field(solve=solved.solve, timeout=300)
+    done = time.monotonic() - begin
+    thread.join()
+    moved = [sum(getattr(hall.wire[one], what) - was[i] for one, was in zip(("rack-1", "rack-2"), before)) / 1e6
+             for i, what in enumerate(("received", "sent"))]
+    part.close()
+    return first[0], done, *moved
+
+
+def cold(hall):
+    print("\n| line to each worker | tets | first field, s | final field, s | MB to solvers | MB from them |")
+    print("|---|---|---|---|---|---|")
+    for name, bytes_s in (("no bound", 0.0), ("1 Gbit/s", 125e6)):
+        for worker in WORKERS:
+            hall.wire[worker].bytes_s = bytes_s
+        for order in (1, 2):
+            times = cold_solve(hall, f"cold-{order}-{bytes_s:.0f}", order)
+            row(name, "linear" if order == 1 else "quadratic", *(f"{one:.2f}" for one in times))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--program", type=pathlib.Path, default=ROOT / "build/release/bin/tedit")
@@ -354,14 +394,18 @@ def main():
     parser.add_argument("--only", default="")
     parser.add_argument("--partition", type=float, default=60)
     parser.add_argument("--kills", type=int, default=0)
+    parser.add_argument("--cold", action="store_true")
     arguments = parser.parse_args()
     if os.geteuid() != 0:
         sys.exit("network namespaces need root")
     only = {one for one in arguments.only.split(",") if one}
-    with tempfile.TemporaryDirectory() as folder, bad_wire.Wire(["hall", *WORKERS]) as wire:
+    with tempfile.TemporaryDirectory() as folder, bad_wire.Wire(["hall", *WORKERS], mtu=60000 if arguments.cold else 1500) as wire:
         hall = Hall(wire, arguments, pathlib.Path(folder))
         try:
             hall.enter()
+            if arguments.cold:
+                cold(hall)
+                return
             if arguments.kills:
                 many_kills(hall, arguments.kills, only)
                 return
