@@ -348,7 +348,7 @@ def many_kills(hall, count, only):
 
 def cold_solve(hall, name, order):
     """A part that no solver has: the times to its first and its final field, MB to the solvers and from them."""
-    import tedit
+    import tedit.events
 
     part = hall.client.open(name)
     part.import_mesh(hall.mesh, unit="mm")
@@ -359,7 +359,7 @@ def cold_solve(hall, name, order):
 
     def listen():
         for event in heard:
-            if isinstance(event, tedit.FieldArrived):
+            if isinstance(event, tedit.events.FieldArrived):
                 first.append(time.monotonic() - begin)
                 return
 
