@@ -9,12 +9,11 @@
 
 #include "base/stopwatch.hpp"
 #include "cli/command.hpp"
-#include "cli/load_case_files.hpp"
 #include "cli/number_option.hpp"
+#include "cli/part_input.hpp"
 #include "cli/solver_options.hpp"
 #include "fem/load_cases.hpp"
 #include "mesh/io/formats.hpp"
-#include "mesh/io/import.hpp"
 
 namespace tedit::cli {
 
@@ -25,13 +24,12 @@ namespace {
 constexpr double worth_a_round = 1.02;
 
 struct adapt_options {
-  std::string mesh;
+  part_input part;
   std::vector<std::string> load_cases;
   double error_percent = 5;
   std::size_t most_tets = 1000000;
   int rounds = 6;
   std::string output;
-  std::string length_unit = "mm";
   solver_options solver;
 };
 
@@ -148,23 +146,21 @@ int run_adapt(const adapt_options& options, session& s) {
   const auto format = output_format(options.output);
   if (!options.output.empty() && !format)
     return print_error(s, format.error());
-  const auto loads = read_load_cases(options.load_cases);
+  const auto part = read_input(options.part, s);
+  if (!part)
+    return print_error(s, part.error());
+  const auto loads = cases_of(options.part, *part, options.load_cases);
   if (!loads)
     return print_error(s, loads.error());
-  const auto imported = import_mesh(options.mesh, options.length_unit);
-  if (!imported)
-    return print_error(s, imported.error());
-  for (const auto& warning : imported->warnings)
-    notice(s, "note: " + warning);
   const auto device = fem::open_backend(options.solver.device);
   if (!device)
     return print_error(s, device.error());
-  const auto outcome = adapt(imported->version, *loads, options, **device, s);
+  const auto outcome = adapt(part->mesh.version, *loads, options, **device, s);
   if (!outcome)
     return print_error(s, outcome.error());
   if (!options.output.empty())
     if (const auto written = write_as((*format)->name, options.output, *outcome->mesh,
-                                      {.length_unit = options.length_unit});
+                                      {.length_unit = options.part.length_unit});
         !written)
       return print_error(s, written.error());
   print_result(s, to_json(*outcome, options), describe(*outcome, options));
@@ -177,12 +173,10 @@ void add_adapt(CLI::App& app, action& chosen) {
   auto options = std::make_shared<adapt_options>();
   auto* command =
     app.add_subcommand("adapt", "Refine a mesh where the estimated error is, until it is small");
-  command->add_option("mesh", options->mesh, read_formats_text())->required();
+  add_part_options(*command, options->part, "Unit of coordinates in both files");
   command
     ->add_option("--load-case", options->load_cases,
-                 "Materials, supports and loads (JSON); again for more load cases, all of which "
-                 "are to be that exact")
-    ->required()
+                 std::string(load_case_help) + ". All are to be that exact")
     ->allow_extra_args(false);
   command
     ->add_option("--error", options->error_percent,
@@ -197,8 +191,6 @@ void add_adapt(CLI::App& app, action& chosen) {
     ->capture_default_str();
   command->add_option("-o,--output", options->output,
                       "Write the new mesh: " + written_formats_text());
-  command->add_option("--length-unit", options->length_unit, "Unit of coordinates in both files")
-    ->capture_default_str();
   add_solver_options(*command, options->solver);
   command->callback(
     [options, &chosen] { chosen = [options](session& s) { return run_adapt(*options, s); }; });

@@ -14,13 +14,10 @@
 #include "base/hash.hpp"
 #include "cli/command.hpp"
 #include "cli/field_file.hpp"
-#include "cli/load_case_files.hpp"
-#include "cli/part_document.hpp"
+#include "cli/part_input.hpp"
 #include "cli/solver_options.hpp"
 #include "decks/deck_file.hpp"
-#include "mesh/formats.hpp"
 #include "mesh/io/file.hpp"
-#include "mesh/io/import.hpp"
 #include "protocol/convert.hpp"
 #include "verification/agreement.hpp"
 
@@ -31,11 +28,9 @@ namespace {
 namespace fs = std::filesystem;
 
 struct certify_options {
-  std::string part;
+  part_input part;
   std::vector<std::string> load_cases;
-  std::optional<std::uint32_t> version;
   std::string output;
-  std::string length_unit = "mm";
   std::string device = "auto";
   int order = 2;
 };
@@ -69,33 +64,13 @@ struct checked_case {
 };
 
 expected<certified_part> read_certified(const certify_options& options, session& s) {
-  certified_part result;
-  if (!options.load_cases.empty()) {
-    auto read = read_load_cases(options.load_cases);
-    if (!read)
-      return fail(read.error());
-    result.load_cases = *std::move(read);
-  }
-  if (is_document(options.part)) {
-    auto part = read_part(options.part, options.version, make_execution(s));
-    if (!part)
-      return fail(part.error());
-    result.mesh = std::move(part->mesh);
-    result.number = part->number;
-    if (options.load_cases.empty())
-      result.load_cases = std::move(part->load_cases);
-  } else {
-    auto imported = import_mesh(options.part, options.length_unit);
-    if (!imported)
-      return fail(imported.error());
-    for (const auto& warning : imported->warnings)
-      notice(s, "note: " + warning);
-    result.mesh = std::move(imported->version);
-  }
-  if (result.load_cases.empty())
-    return fail(ec::usage, options.part + " has no load case to certify",
-                "Name the files of some with --load-case");
-  return result;
+  auto part = read_input(options.part, s);
+  if (!part)
+    return fail(part.error());
+  auto load_cases = cases_of(options.part, *part, options.load_cases);
+  if (!load_cases)
+    return fail(load_cases.error());
+  return certified_part{std::move(part->mesh.version), std::move(*load_cases), part->number};
 }
 
 /// A name for files from that of a load case: letters, digits, "-" and "_" stay.
@@ -156,7 +131,7 @@ expected<std::vector<checked_case>> check_cases(const certify_options& options,
     checked_case one{loads.name, stem_of(loads.name, taken)};
     const auto job =
       decks::make_deck_job(*part.mesh, set->problem, loads,
-                           loads.name + " on " + fs::path(options.part).filename().string());
+                           loads.name + " on " + fs::path(options.part.file).filename().string());
     if (const auto deck =
           decks::write_calculix(folder / (one.stem + ".inp"), job, fem::calculix_solver::spooles);
         !deck)
@@ -205,7 +180,7 @@ nlohmann::ordered_json to_json(const certify_options& options, const certified_p
   auto rows = nlohmann::ordered_json::array();
   for (const auto& c : cases)
     rows.push_back(to_json(c));
-  nlohmann::ordered_json json{{"part", options.part}, {"version_id", to_hex(part.mesh->id())}};
+  nlohmann::ordered_json json{{"part", options.part.file}, {"version_id", to_hex(part.mesh->id())}};
   if (part.number)
     json["version"] = *part.number;
   json["tedit"] = TEDIT_VERSION;
@@ -224,7 +199,7 @@ nlohmann::ordered_json to_json(const certify_options& options, const certified_p
 
 std::string describe(const certify_options& options, const certified_part& part,
                      const std::vector<checked_case>& cases) {
-  std::string text = options.part;
+  std::string text = options.part.file;
   if (part.number)
     text += ", version " + std::to_string(*part.number);
   text += " (" + to_hex(part.mesh->id()).substr(0, 8) + "), " +
@@ -282,23 +257,12 @@ void add_certify(CLI::App& app, action& chosen) {
   auto options = std::make_shared<certify_options>();
   auto* command = app.add_subcommand(
     "certify", "Have CalculiX solve a part's load cases, too, and say how far both agree");
-  command
-    ->add_option("part", options->part,
-                 read_formats_text() + "; or a document (.tedit), with its own load cases")
-    ->required();
-  command
-    ->add_option("--load-case", options->load_cases,
-                 "Materials, supports and loads (JSON); again for more. A document's own without "
-                 "it")
-    ->allow_extra_args(false);
-  command->add_option("--version", options->version,
-                      "Of a document: the version's number; the current one without it");
+  add_part_options(*command, options->part);
+  command->add_option("--load-case", options->load_cases, load_case_help)->allow_extra_args(false);
   command
     ->add_option("-o,--output", options->output,
                  "A new folder for decks, CalculiX's results, our fields and the certificate")
     ->required();
-  command->add_option("--length-unit", options->length_unit, "Unit of the file's coordinates")
-    ->capture_default_str();
   add_device_option(*command, options->device);
   command->add_option("--order", options->order, "2: quadratic tets (C3D10); 1: linear tets (C3D4)")
     ->check(CLI::IsMember({1, 2}))

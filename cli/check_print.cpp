@@ -9,9 +9,9 @@
 #include "base/stopwatch.hpp"
 #include "cli/command.hpp"
 #include "cli/number_option.hpp"
+#include "cli/part_input.hpp"
 #include "cli/reports.hpp"
 #include "mesh/io/formats.hpp"
-#include "mesh/io/import.hpp"
 #include "mesh/print/print_checks.hpp"
 
 namespace tedit::cli {
@@ -19,8 +19,7 @@ namespace tedit::cli {
 namespace {
 
 struct check_print_options {
-  std::string mesh;
-  std::string length_unit = "mm";
+  part_input part;
   std::vector<double> direction{0, 0, 1};
   double thinner_than_mm = 0;
   double overhang_degrees = 45;
@@ -108,7 +107,7 @@ std::string shell_text(const print_report& report) {
 }
 
 std::string describe(const check_print_options& options, const print_report& report) {
-  std::string text = options.mesh + "\n";
+  std::string text = options.part.file + "\n";
   const auto line = [&](const std::string& label, const std::string& value) {
     text += "  " + label + std::string(18 - label.size(), ' ') + value + "\n";
   };
@@ -181,13 +180,11 @@ int run_check_print(const check_print_options& options, session& s) {
     options.output.empty() ? expected<const file_format*>(nullptr) : marked_format(options.output);
   if (!format)
     return print_error(s, format.error());
-  const auto imported = import_mesh(options.mesh, options.length_unit);
-  if (!imported)
-    return print_error(s, imported.error());
-  for (const auto& warning : imported->warnings)
-    notice(s, "note: " + warning);
+  const auto part = read_input(options.part, s);
+  if (!part)
+    return print_error(s, part.error());
   const stopwatch clock;
-  const auto& mesh = *imported->version;
+  const auto& mesh = *part->mesh.version;
   const auto& d = options.direction;
   const auto report = check_print(mesh,
                                   {.up = {d[0], d[1], d[2]},
@@ -216,7 +213,7 @@ void add_check_print(CLI::App& app, action& chosen) {
   auto options = std::make_shared<check_print_options>();
   auto* command = app.add_subcommand(
     "check-print", "Look for what hinders 3D printing: open edges, thin walls, overhangs");
-  command->add_option("mesh", options->mesh, read_formats_text())->required();
+  add_part_options(*command, options->part);
   command->add_option("--direction", options->direction, "Build direction, from the plate on")
     ->delimiter(',')
     ->expected(3)
@@ -237,8 +234,6 @@ void add_check_print(CLI::App& app, action& chosen) {
                         " (thin red, overhanging orange, both violet) or .vtu (fields thin_wall "
                         "and overhang, 0 or 1)");
   command->add_flag("--strict", options->strict, "Exit status 1 where something was found");
-  command->add_option("--length-unit", options->length_unit, "Unit of the file's coordinates")
-    ->capture_default_str();
   command->callback([options, &chosen] {
     chosen = [options](session& s) { return run_check_print(*options, s); };
   });

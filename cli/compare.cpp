@@ -6,11 +6,10 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "actors/store/check.hpp"
-#include "actors/store/loading.hpp"
 #include "cli/command.hpp"
 #include "cli/compare_report.hpp"
-#include "cli/load_case_files.hpp"
+#include "cli/part_document.hpp"
+#include "cli/part_input.hpp"
 #include "cli/server_access.hpp"
 #include "cli/server_comparison.hpp"
 #include "cli/solver_options.hpp"
@@ -20,7 +19,6 @@
 #include "fem/solver.hpp"
 #include "mesh/formats.hpp"
 #include "mesh/io/file.hpp"
-#include "mesh/io/import.hpp"
 
 namespace tedit::cli {
 
@@ -46,6 +44,7 @@ struct part_side {
   std::string name;  ///< For messages.
   version_ptr mesh;
   std::vector<fem::load_case> load_cases;  ///< All that it has.
+  std::vector<std::string> solved = {};    ///< Names of those whose fields were asked for.
 };
 
 struct part_sides {
@@ -56,65 +55,57 @@ struct part_sides {
 
 // -- from a document -----------------------------------------------------------------------
 
-expected<part_side> side_of(const store::document_view& document, const store::contents& rows,
-                            std::uint32_t number) {
-  auto mesh = actors::read_version(document, number);
-  if (!mesh)
-    return fail(mesh.error());
-  const auto row = std::ranges::find(rows.versions, number, &store::version_row::number);
-  const auto loads = actors::read_load_cases(*row);
-  if (!loads)
-    return fail(loads.error());
-  return part_side{"version " + std::to_string(number), std::move(*mesh), **loads};
+expected<part_side> side_of(const std::string& file, std::optional<std::uint32_t> number) {
+  auto part = read_version_of(file, number);
+  if (!part)
+    return fail(part.error());
+  return part_side{"version " + std::to_string(part->number), std::move(part->mesh),
+                   std::move(part->load_cases)};
 }
 
 /// Without numbers: the first version and the one that is the present one.
 expected<part_sides> sides_of_document(const compare_options& options) {
-  const auto document = store::document_view::open(options.before);
-  if (!document)
-    return fail(document.error());
-  const auto all = (*document)->read();
-  if (!all)
-    return fail(all.error());
-  auto before = side_of(**document, all->rows, options.from.value_or(0));
+  auto before = side_of(options.before, options.from.value_or(0));
   if (!before)
     return fail(before.error());
-  auto after = side_of(**document, all->rows, options.to.value_or(all->rows.head.value_or(0)));
+  auto after = side_of(options.before, options.to);
   if (!after)
     return fail(after.error());
   return part_sides{std::move(*before), std::move(*after), options.load_cases};
 }
 
-// -- from mesh files -------------------------------------------------------------------------
+// -- from two files ---------------------------------------------------------------------------
 
-expected<part_side> side_of_file(const std::string& file, const compare_options& options,
-                                 const std::vector<fem::load_case>& load_cases, session& s) {
-  const auto imported = import_mesh(file, options.length_unit);
-  if (!imported)
-    return fail(imported.error());
-  for (const auto& warning : imported->warnings)
-    notice(s, "note: " + file + ": " + warning);
-  return part_side{file, imported->version, load_cases};
+expected<part_side> side_of_file(const part_input& input, const compare_options& options,
+                                 session& s) {
+  auto part = read_input(input, s);
+  if (!part)
+    return fail(part.error());
+  part_side side{input.file, std::move(part->mesh.version), std::move(part->load_cases)};
+  if (options.load_cases.empty())
+    return side;
+  auto told = cases_of(input, *part, options.load_cases);
+  if (!told)
+    return fail(told.error());
+  for (auto& one : *told) {
+    side.solved.push_back(one.name);
+    if (std::ranges::find(side.load_cases, one.name, &fem::load_case::name) ==
+        side.load_cases.end())
+      side.load_cases.push_back(std::move(one));
+  }
+  return side;
 }
 
+/// Meshes, or versions of two documents.
 expected<part_sides> sides_of_files(const compare_options& options, session& s) {
-  const auto loads = read_load_cases(options.load_cases);
-  if (!loads)
-    return fail(loads.error());
-  auto before = side_of_file(options.before, options, *loads, s);
+  auto before = side_of_file({options.before, options.length_unit, options.from}, options, s);
   if (!before)
     return fail(before.error());
-  auto after = side_of_file(options.after, options, *loads, s);
+  auto after = side_of_file({options.after, options.length_unit, options.to}, options, s);
   if (!after)
     return fail(after.error());
-  part_sides result{std::move(*before), std::move(*after), {}};
-  for (const auto& one : *loads)
-    result.solved.push_back(one.name);
-  return result;
-}
-
-bool is_document(const std::string& file) {
-  return fs::path(file).extension() == ".tedit";
+  auto names = before->solved;
+  return part_sides{std::move(*before), std::move(*after), std::move(names)};
 }
 
 /// Errors: `usage` when the options do not fit to each other.
@@ -127,17 +118,16 @@ expected<part_sides> read_sides(const compare_options& options, session& s) {
                  "Give --load-case, or leave -o out");
   if (!options.output.empty() && fs::path(options.output).extension() != ".vtu")
     return usage(options.output + " does not end in .vtu", "Fields are written as VTU");
-  if (is_document(options.before)) {
-    if (!options.after.empty())
-      return usage("of a document two versions are compared",
-                   "Give the document alone, with --from and --to");
-    return sides_of_document(options);
+  if (!options.after.empty()) {
+    if ((options.from && !is_document(options.before)) ||
+        (options.to && !is_document(options.after)))
+      return usage("--from and --to name versions of a document (.tedit)",
+                   "Leave them out for a mesh");
+    return sides_of_files(options, s);
   }
-  if (options.after.empty() || is_document(options.after))
-    return usage("a second mesh file is needed", "Write \"tedit compare BEFORE AFTER\"");
-  if (options.from || options.to)
-    return usage("--from and --to name versions of a document (.tedit)", "Leave them out");
-  return sides_of_files(options, s);
+  if (is_document(options.before))
+    return sides_of_document(options);
+  return usage("a second mesh file is needed", "Write \"tedit compare BEFORE AFTER\"");
 }
 
 // -- fields ----------------------------------------------------------------------------------
@@ -334,18 +324,20 @@ void add_compare(CLI::App& app, action& chosen) {
     "compare", "Compare two meshes, or two versions of a document, and their stress");
   command
     ->add_option("before", options->before,
-                 "A Gmsh file (MSH 2.2 or 4.1), or a document (.tedit); with --server the name of "
-                 "a document there")
+                 read_formats_text() +
+                   "; or a document (.tedit); with --server the name of a "
+                   "document there")
     ->required();
-  command->add_option("after", options->after, "The other Gmsh file; not with a document");
+  command->add_option("after", options->after,
+                      "The other mesh or document; without it two versions of the one document");
   command->add_option("--from", options->from,
                       "Version of the document before; the first one when it is not given");
   command->add_option("--to", options->to,
                       "Version of the document after; the present one when it is not given");
   command
     ->add_option("--load-case", options->load_cases,
-                 "Compare the fields of this load case, too: a file (JSON) for meshes, the name of "
-                 "one that both versions have for a document; again for more")
+                 "Compare the fields of this load case, too: a file (JSON), or the name of one "
+                 "that the document has; again for more")
     ->allow_extra_args(false);
   command->add_option("-o,--output", options->output,
                       "Write the difference at the vertices after to this VTU file");

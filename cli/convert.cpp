@@ -8,8 +8,8 @@
 #include "cli/colours.hpp"
 #include "cli/command.hpp"
 #include "cli/deck_loads.hpp"
+#include "cli/part_input.hpp"
 #include "mesh/io/formats.hpp"
-#include "mesh/io/import.hpp"
 #include "protocol/convert.hpp"
 
 namespace tedit::cli {
@@ -17,9 +17,8 @@ namespace tedit::cli {
 namespace {
 
 struct convert_options {
-  std::string mesh;
+  part_input part;
   std::string output;
-  std::string length_unit = "mm";
   std::string output_unit;  ///< Empty: as in the mesh.
   std::string load_case;    ///< Where that of a deck is written to.
   std::string colour;       ///< Empty: none.
@@ -33,17 +32,29 @@ std::string losses_of(const file_format& format) {
          (format.keeps.surfaces ? "" : ", without its surfaces");
 }
 
-/// Writes the load case of a deck, or says that the new file has none of it.
-expected<void> write_loads(const convert_options& options, const imported_mesh& mesh,
-                           const session& s, nlohmann::ordered_json& result) {
+/// The deck's, or that of a document. Errors: `not_found` where there is none; `usage` for several.
+expected<fem::deck_case> only_case(const convert_options& options, const input_part& part) {
+  if (!part.number)
+    return load_case_of(part.mesh);
+  if (part.load_cases.size() == 1)
+    return fem::deck_case{part.load_cases.front(), {}};
+  return fail(part.load_cases.empty() ? ec::not_found : ec::usage,
+              options.part.file + " has " + std::to_string(part.load_cases.size()) +
+                " load cases, and the file gets one",
+              "Leave out --load-case; \"tedit info\" names those that there are");
+}
+
+/// Writes the load case, or says that the new file has none of it.
+expected<void> write_loads(const convert_options& options, const input_part& part, const session& s,
+                           nlohmann::ordered_json& result) {
   if (options.load_case.empty()) {
-    if (!mesh.loads.empty())
+    if (!part.mesh.loads.empty() || !part.load_cases.empty())
       notice(s,
              "note: materials, supports and loads of the file are not in the new one; "
              "--load-case FILE.json keeps them");
     return {};
   }
-  const auto loads = load_case_of(mesh);
+  const auto loads = only_case(options, part);
   if (!loads)
     return fail(loads.error());
   for (const auto& remark : loads->remarks)
@@ -60,7 +71,7 @@ std::string unit_of_output(const convert_options& options, const imported_mesh& 
                            const kept_in_file& keeps) {
   if (!options.output_unit.empty())
     return options.output_unit;
-  return keeps.unit && keeps.tets ? mesh.length_unit : options.length_unit;
+  return keeps.unit && keeps.tets ? mesh.length_unit : options.part.length_unit;
 }
 
 expected<part_looks> looks_of(const convert_options& options, const file_format& format,
@@ -70,7 +81,7 @@ expected<part_looks> looks_of(const convert_options& options, const file_format&
   if (!format.keeps.colours)
     return fail(ec::usage, "a ." + std::string(format.name) + " file has no colours",
                 "Write " + coloured_formats_text() + ", or leave out --colour");
-  return make_looks(mesh, options.mesh, options.colour);
+  return make_looks(mesh, options.part.file, options.colour);
 }
 
 std::string text_of_files(const convert_options& options, const file_format& format,
@@ -85,27 +96,27 @@ int run_convert(const convert_options& options, session& s) {
   const auto format = output_format(options.output);
   if (!format)
     return print_error(s, format.error());
-  const auto imported = import_mesh(options.mesh, options.length_unit);
-  if (!imported)
-    return print_error(s, imported.error());
-  for (const auto& warning : imported->warnings)
-    notice(s, "note: " + warning);
+  const auto part = read_input(options.part, s);
+  if (!part)
+    return print_error(s, part.error());
+  const auto& mesh = *part->mesh.version;
   const auto& keeps = (*format)->keeps;
-  const auto unit = unit_of_output(options, *imported, keeps);
+  const auto unit = unit_of_output(options, part->mesh, keeps);
   nlohmann::ordered_json result{{"file", options.output},
                                 {"format", (*format)->name},
                                 {"length_unit", unit},
                                 {"keeps", {{"tets", keeps.tets}, {"surfaces", keeps.surfaces}}},
-                                {"notes", imported->warnings}};
-  auto looks = looks_of(options, **format, *imported->version);
+                                {"notes", part->mesh.warnings}};
+  auto looks = looks_of(options, **format, mesh);
   if (!looks)
     return print_error(s, looks.error());
-  if (const auto ok = write_loads(options, *imported, s, result); !ok)
+  if (const auto ok = write_loads(options, *part, s, result); !ok)
     return print_error(s, ok.error());
-  const auto written = write_as((*format)->name, options.output, *imported->version,
-                                {.length_unit = unit,
-                                 .colours = std::move(looks->colours),
-                                 .title = std::filesystem::path(options.mesh).stem().string()});
+  const auto written =
+    write_as((*format)->name, options.output, mesh,
+             {.length_unit = unit,
+              .colours = std::move(looks->colours),
+              .title = std::filesystem::path(options.part.file).stem().string()});
   if (!written)
     return print_error(s, written.error());
   if (!options.colour.empty())
@@ -119,13 +130,10 @@ int run_convert(const convert_options& options, session& s) {
 void add_convert(CLI::App& app, action& chosen) {
   auto options = std::make_shared<convert_options>();
   auto* command = app.add_subcommand("convert", "Write a mesh as a file of another format");
-  command->add_option("mesh", options->mesh, read_formats_text())->required();
+  add_part_options(*command, options->part,
+                   "Unit of the mesh's coordinates, where the file does not say it");
   command->add_option("-o,--output", options->output, "The new file: " + written_formats_text())
     ->required();
-  command
-    ->add_option("--length-unit", options->length_unit,
-                 "Unit of the mesh's coordinates, where the file does not say it")
-    ->capture_default_str();
   command->add_option(
     "--output-unit", options->output_unit,
     "Unit of the new file's coordinates; not given: as in the mesh where the new "

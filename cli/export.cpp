@@ -8,11 +8,9 @@
 
 #include "cli/command.hpp"
 #include "cli/export_step.hpp"
-#include "cli/part_document.hpp"
+#include "cli/part_input.hpp"
 #include "decks/deck_file.hpp"
 #include "mesh/formats.hpp"
-#include "mesh/io/import.hpp"
-#include "protocol/convert.hpp"
 
 namespace tedit::cli {
 
@@ -21,13 +19,11 @@ namespace {
 namespace fs = std::filesystem;
 
 struct export_options {
-  std::string mesh;
+  part_input part;
   std::string load_case;
   std::string output;
-  std::string length_unit = "mm";
   std::string solver = "spooles";
   int order = 2;
-  std::optional<std::uint32_t> version;
 };
 
 struct export_counts {
@@ -104,42 +100,27 @@ struct loaded_part {
   fem::load_case loads;
 };
 
-/// A document has load cases of its own: without a file the only one is taken.
-expected<loaded_part> read_document_part(const export_options& options, session& s) {
-  auto part = read_part(options.mesh, options.version, make_execution(s));
+/// A document has load cases of its own: without a file or name the only one is taken.
+expected<loaded_part> read_loaded(const export_options& options, session& s) {
+  auto part = read_input(options.part, s);
   if (!part)
     return fail(part.error());
-  if (!options.load_case.empty())
-    return protocol::load_case_from_file(options.load_case).map([&](fem::load_case loads) {
-      return loaded_part{part->mesh, std::move(loads)};
-    });
-  if (part->load_cases.size() == 1)
-    return loaded_part{part->mesh, part->load_cases.front()};
-  return fail(ec::usage,
-              options.mesh + " has " + std::to_string(part->load_cases.size()) + " load cases",
-              "Name the file of one with --load-case");
-}
-
-expected<loaded_part> read_loaded(const export_options& options, session& s) {
-  if (is_document(options.mesh))
-    return read_document_part(options, s);
-  if (options.load_case.empty())
-    return fail(ec::usage, "--load-case is missing",
-                "A deck has materials, supports and loads: name their file");
-  auto loads = protocol::load_case_from_file(options.load_case);
+  auto loads = cases_of(
+    options.part, *part,
+    options.load_case.empty() ? std::vector<std::string>() : std::vector{options.load_case});
   if (!loads)
     return fail(loads.error());
-  auto imported = import_mesh(options.mesh, options.length_unit);
-  if (!imported)
-    return fail(imported.error());
-  for (const auto& warning : imported->warnings)
-    notice(s, "note: " + warning);
-  return loaded_part{std::move(imported->version), std::move(*loads)};
+  if (loads->size() > 1)
+    return fail(ec::usage,
+                options.part.file + " has " + std::to_string(loads->size()) +
+                  " load cases, and a deck gets one",
+                "Name one with --load-case: " + names_of(*loads));
+  return loaded_part{std::move(part->mesh.version), std::move(loads->front())};
 }
 
 int run_export(const export_options& options, session& s) {
   if (is_step(options.output))
-    return run_export_step({options.mesh, options.output, options.version}, s);
+    return run_export_step({options.part.file, options.output, options.part.version}, s);
   const auto format = deck_format(options.output);
   if (!format)
     return print_error(s, format.error());
@@ -149,9 +130,9 @@ int run_export(const export_options& options, session& s) {
   const auto problem = fem::make_problem(*part->mesh, part->loads, options.order);
   if (!problem)
     return print_error(s, problem.error());
-  const auto job =
-    decks::make_deck_job(*part->mesh, *problem, part->loads,
-                         part->loads.name + " on " + fs::path(options.mesh).filename().string());
+  const auto job = decks::make_deck_job(
+    *part->mesh, *problem, part->loads,
+    part->loads.name + " on " + fs::path(options.part.file).filename().string());
   const auto counts =
     (*format)->name == formats::inp::about.name ? write_inp(options, job) : write_bdf(options, job);
   if (!counts)
@@ -168,22 +149,15 @@ void add_export(CLI::App& app, action& chosen) {
     "export",
     "Write a load case on a mesh as an input deck of CalculiX or Nastran, or the CAD model of a "
     "document as STEP");
-  command
-    ->add_option("mesh", options->mesh,
-                 read_formats_text() + "; or a document (.tedit), as STEP needs one")
-    ->required();
+  add_part_options(*command, options->part);
   command->add_option("--load-case", options->load_case,
-                      "Of a deck: materials, supports and loads (JSON); a document's own without "
-                      "it");
+                      "Of a deck: materials, supports and loads (JSON), or the name of one that "
+                      "the document has; its only one without it");
   command
     ->add_option("-o,--output", options->output,
                  "Write here: a deck, NAME.inp for CalculiX, NAME.bdf for Nastran; or the CAD "
                  "model with all edits, NAME.step")
     ->required();
-  command->add_option("--version", options->version,
-                      "Of a document: the version's number; the current one without it");
-  command->add_option("--length-unit", options->length_unit, "Unit of the file's coordinates")
-    ->capture_default_str();
   command
     ->add_option("--order", options->order,
                  "2: quadratic tets (C3D10, CTETRA of 10 nodes); 1: linear tets")

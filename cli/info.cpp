@@ -7,16 +7,14 @@
 
 #include "cli/command.hpp"
 #include "cli/mesh_report.hpp"
-#include "mesh/formats.hpp"
-#include "mesh/io/import.hpp"
+#include "cli/part_input.hpp"
 
 namespace tedit::cli {
 
 namespace {
 
 struct info_options {
-  std::string mesh;
-  std::string length_unit = "mm";
+  part_input part;
   bool all = false;
 };
 
@@ -39,13 +37,17 @@ std::string surface_table(const mesh_report& report, bool all) {
   return text;
 }
 
-std::string describe(const info_options& options, const imported_mesh& imported,
+std::string describe(const info_options& options, const input_part& part,
                      const mesh_report& report) {
-  const auto& mesh = *imported.version;
-  std::string text = options.mesh + "\n";
+  const auto& mesh = *part.mesh.version;
+  std::string text = options.part.file + "\n";
   const auto line = [&](const std::string& label, const std::string& value) {
     text += "  " + label + std::string(18 - label.size(), ' ') + value + "\n";
   };
+  if (part.number) {
+    line("number", std::to_string(*part.number));
+    line("load cases", names_of(part.load_cases));
+  }
   line("version", to_hex(mesh.id()));
   line("tets", std::to_string(mesh.tet_count()));
   line("vertices", std::to_string(mesh.vertex_count()));
@@ -61,15 +63,20 @@ std::string describe(const info_options& options, const imported_mesh& imported,
 }
 
 int run_info(const info_options& options, session& s) {
-  const auto imported = import_mesh(options.mesh, options.length_unit);
-  if (!imported)
-    return print_error(s, imported.error());
-  for (const auto& warning : imported->warnings)
-    notice(s, "note: " + warning);
-  const auto report = make_mesh_report(*imported->version);
-  auto json = to_json(*imported->version, report);
-  json["warnings"] = imported->warnings;
-  print_result(s, json, describe(options, *imported, report));
+  const auto part = read_input(options.part, s);
+  if (!part)
+    return print_error(s, part.error());
+  const auto& mesh = *part->mesh.version;
+  const auto report = make_mesh_report(mesh);
+  auto json = to_json(mesh, report);
+  json["warnings"] = part->mesh.warnings;
+  if (part->number) {
+    json["number"] = *part->number;
+    json["load_cases"] = nlohmann::ordered_json::array();
+    for (const auto& one : part->load_cases)
+      json["load_cases"].push_back(one.name);
+  }
+  print_result(s, json, describe(options, *part, report));
   return 0;
 }
 
@@ -77,10 +84,8 @@ int run_info(const info_options& options, session& s) {
 
 void add_info(CLI::App& app, action& chosen) {
   auto options = std::make_shared<info_options>();
-  auto* command = app.add_subcommand("info", "Say what is in a mesh file");
-  command->add_option("mesh", options->mesh, read_formats_text())->required();
-  command->add_option("--length-unit", options->length_unit, "Unit of the file's coordinates")
-    ->capture_default_str();
+  auto* command = app.add_subcommand("info", "Say what is in a mesh file or a document");
+  add_part_options(*command, options->part);
   command->add_flag("--all", options->all, "List all surfaces, however many there are");
   command->callback(
     [options, &chosen] { chosen = [options](session& s) { return run_info(*options, s); }; });

@@ -15,4 +15,7 @@ namespace tedit::cli {
 [[nodiscard]] expected<std::vector<fem::load_case>> read_load_cases(
   const std::vector<std::string>& files);
 
+/// Gives a name that was there before a number: "braking 2".
+void name_apart(std::vector<fem::load_case>& load_cases);
+
 }  // namespace tedit::cli

@@ -109,10 +109,37 @@ private:
   ops::catalogue plugins_ = ops::load_default_catalogue();
 };
 
+expected<document_part> version_in(const store::document_view& document,
+                                   const store::contents& rows,
+                                   std::optional<std::uint32_t> number) {
+  auto mesh = actors::read_version(document, number);
+  if (!mesh)
+    return fail(mesh.error());
+  document_part part;
+  part.number = number.value_or(rows.head.value_or(0));
+  part.mesh = std::move(*mesh);
+  const auto row = std::ranges::find(rows.versions, part.number, &store::version_row::number);
+  const auto cases = actors::read_load_cases(*row);
+  if (!cases)
+    return fail(cases.error());
+  part.load_cases = **cases;
+  return part;
+}
+
 }  // namespace
 
 bool is_document(const fs::path& file) {
   return file.extension() == ".tedit";
+}
+
+expected<document_part> read_version_of(const fs::path& file, std::optional<std::uint32_t> number) {
+  const auto document = store::document_view::open(file);
+  if (!document)
+    return fail(document.error());
+  const auto rows = (*document)->read();
+  if (!rows)
+    return fail(rows.error());
+  return version_in(**document, rows->rows, number);
 }
 
 expected<document_part> read_part(const fs::path& file, std::optional<std::uint32_t> number,
@@ -120,24 +147,16 @@ expected<document_part> read_part(const fs::path& file, std::optional<std::uint3
   const auto document = store::document_view::open(file);
   if (!document)
     return fail(document.error());
-  auto mesh = actors::read_version(**document, number);
-  if (!mesh)
-    return fail(mesh.error());
   const auto rows = (*document)->read();
   if (!rows)
     return fail(rows.error());
-  document_part part;
-  part.number = number.value_or(rows->rows.head.value_or(0));
-  part.mesh = std::move(*mesh);
-  const auto row = std::ranges::find(rows->rows.versions, part.number, &store::version_row::number);
-  const auto cases = actors::read_load_cases(*row);
-  if (!cases)
-    return fail(cases.error());
-  part.load_cases = **cases;
-  auto state = model_reader(**document, rows->rows, run).read(part.number);
+  auto part = version_in(**document, rows->rows, number);
+  if (!part)
+    return part;
+  auto state = model_reader(**document, rows->rows, run).read(part->number);
   if (!state)
     return fail(state.error());
-  part.cad = std::move(*state);
+  part->cad = std::move(*state);
   return part;
 }
 

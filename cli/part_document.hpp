@@ -35,7 +35,12 @@ struct document_part {
   std::optional<cad_state> cad;  ///< None for a part that did not come from CAD.
 };
 
-/// The current version of a document, or another one. An edit that a server made is made on the CAD
+/// The current version of a document, or another one, without its CAD model. Errors: those of
+/// `store::document_view`. Cost: O(its mesh).
+[[nodiscard]] expected<document_part> read_version_of(const std::filesystem::path& file,
+                                                      std::optional<std::uint32_t> number);
+
+/// The same with its CAD model. An edit that a server made is made on the CAD
 /// model now. Errors: those of `store::document_view` and `replay_edit`; `not_found`.
 [[nodiscard]] expected<document_part> read_part(const std::filesystem::path& file,
                                                 std::optional<std::uint32_t> number,

@@ -8,17 +8,15 @@
 #include "base/text.hpp"
 #include "cli/command.hpp"
 #include "cli/number_option.hpp"
+#include "cli/part_input.hpp"
 #include "mesh/features/select.hpp"
-#include "mesh/formats.hpp"
-#include "mesh/io/import.hpp"
 
 namespace tedit::cli {
 
 namespace {
 
 struct select_options {
-  std::string mesh;
-  std::string length_unit = "mm";
+  part_input part;
   std::vector<surface_id> hole;
   std::vector<surface_id> protrusion;
   std::vector<double> holes_mm;
@@ -82,10 +80,10 @@ int run_select(const select_options& options, session& s) {
   const auto query = query_of(options);
   if (!query)
     return print_error(s, query.error());
-  const auto imported = import_mesh(options.mesh, options.length_unit);
-  if (!imported)
-    return print_error(s, imported.error());
-  const auto features = select_surfaces(*imported->version, *query, make_execution(s));
+  const auto part = read_input(options.part, s);
+  if (!part)
+    return print_error(s, part.error());
+  const auto features = select_surfaces(*part->mesh.version, *query, make_execution(s));
   if (!features)
     return print_error(s, features.error());
   nlohmann::ordered_json json;
@@ -106,7 +104,7 @@ int run_select(const select_options& options, session& s) {
 void add_select(CLI::App& app, action& chosen) {
   auto options = std::make_shared<select_options>();
   auto* command = app.add_subcommand("select", "Find surfaces that belong together");
-  command->add_option("mesh", options->mesh, read_formats_text())->required();
+  add_part_options(*command, options->part);
   command->add_option("--hole", options->hole, "The whole hole that this wall surface belongs to")
     ->expected(1);
   command

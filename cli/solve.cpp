@@ -9,26 +9,23 @@
 #include "base/stopwatch.hpp"
 #include "cli/command.hpp"
 #include "cli/field_file.hpp"
-#include "cli/load_case_files.hpp"
 #include "cli/number_option.hpp"
+#include "cli/part_input.hpp"
 #include "cli/reports.hpp"
 #include "cli/solver_options.hpp"
 #include "fem/frd_writer.hpp"
 #include "fem/make_report.hpp"
 #include "fem/solver.hpp"
-#include "mesh/formats.hpp"
 #include "mesh/io/file.hpp"
-#include "mesh/io/import.hpp"
 
 namespace tedit::cli {
 
 namespace {
 
 struct solve_options {
-  std::string mesh;
+  part_input part;
   std::vector<std::string> load_cases;
   std::string output;
-  std::string length_unit = "mm";
   solver_options solver;
   double energy_tolerance = 0;
 };
@@ -102,15 +99,13 @@ expected<void> write_output(const solve_options& options, const mesh_version& me
 int run_solve(const solve_options& options, session& s) {
   const stopwatch total;
   stopwatch clock;
-  const auto loads = read_load_cases(options.load_cases);
+  const auto part = read_input(options.part, s);
+  if (!part)
+    return print_error(s, part.error());
+  const auto loads = cases_of(options.part, *part, options.load_cases);
   if (!loads)
     return print_error(s, loads.error());
-  const auto imported = import_mesh(options.mesh, options.length_unit);
-  if (!imported)
-    return print_error(s, imported.error());
-  for (const auto& warning : imported->warnings)
-    notice(s, "note: " + warning);
-  const auto& mesh = *imported->version;
+  const auto& mesh = *part->mesh.version;
   const double import_ms = clock.restart();
   auto set = fem::make_cases(mesh, *loads, options.solver.order);
   if (!set)
@@ -140,19 +135,15 @@ int run_solve(const solve_options& options, session& s) {
 void add_solve(CLI::App& app, action& chosen) {
   auto options = std::make_shared<solve_options>();
   auto* command = app.add_subcommand("solve", "Solve load cases on a mesh");
-  command->add_option("mesh", options->mesh, read_formats_text())->required();
+  add_part_options(*command, options->part);
   command
     ->add_option("--load-case", options->load_cases,
-                 "Materials, supports and loads (JSON); again for more load cases, which are "
-                 "solved together and get an envelope")
-    ->required()
+                 std::string(load_case_help) + ". Several are solved together and get an envelope")
     ->allow_extra_args(false);
   command->add_option(
     "-o,--output", options->output,
     "Write the fields to this file: .vtu, in metres and pascals at the mesh's vertices, or "
     ".frd, as CalculiX writes results, at all nodes that are solved for");
-  command->add_option("--length-unit", options->length_unit, "Unit of the file's coordinates")
-    ->capture_default_str();
   add_solver_options(*command, options->solver);
   command
     ->add_option(
