@@ -15,6 +15,7 @@
 #include "base/utc.hpp"
 #include "cli/command.hpp"
 #include "cli/config.hpp"
+#include "cli/doc_loads.hpp"
 #include "mesh/io/formats.hpp"
 
 namespace tedit::cli {
@@ -451,6 +452,7 @@ void add_doc(CLI::App& app, action& chosen) {
   add_check(*command, chosen);
   add_copy(*command, chosen);
   add_doc_export(*command, chosen);
+  add_doc_loads(*command, chosen);
   add_gc(*command, chosen);
 }
 

@@ -12,6 +12,7 @@
 #include "base/number_range.hpp"
 #include "base/stopwatch.hpp"
 #include "cli/command.hpp"
+#include "cli/import_mesh_file.hpp"
 #include "cli/mesh_report.hpp"
 #include "cli/part_document.hpp"
 #include "mesh/io/formats.hpp"
@@ -25,6 +26,8 @@ namespace {
 struct import_options {
   scan::part_file_request request;
   std::vector<std::string> local_sizes;
+  std::vector<std::string> load_cases;
+  bool has_size = false;  ///< --size was given.
   std::string output;
   unsigned time_limit_s = 120;
   unsigned memory_mb = 4096;
@@ -190,16 +193,58 @@ error with_options(error why) {
   return why;
 }
 
+/// Errors: `usage` for what a mesh has already.
+expected<mesh_import> mesh_import_of(const import_options& options) {
+  if (options.has_size || !options.local_sizes.empty())
+    return fail(ec::usage, options.request.file.string() + " is a mesh: it has its sizes already",
+                "Leave out --size and --local-size; the operations refine and coarsen change it");
+  return mesh_import{options.request.file,
+                     options.request.unit.empty() ? "mm" : options.request.unit, options.load_cases,
+                     options.output};
+}
+
+int import_as_mesh(const import_options& options, session& s) {
+  const auto wanted = mesh_import_of(options);
+  return wanted ? run_import_mesh(*wanted, s) : print_error(s, wanted.error());
+}
+
+expected<void> write_part(const import_options& options, const scan::file_part& made,
+                          const std::vector<fem::load_case>& load_cases) {
+  const auto& part = made.part;
+  if (options.output.empty())
+    return {};
+  if (auto ok = check_load_cases(*part.version, load_cases); !ok)
+    return ok;
+  if (is_document(options.output))
+    return actors::create_document(options.output,
+                                   {.mesh = part.version,
+                                    .model = made.model(),
+                                    .file_name = options.request.file.filename().string(),
+                                    .warnings = part.warnings,
+                                    .load_cases = load_cases});
+  const auto format = output_format(options.output);
+  if (!format)
+    return fail(format.error());
+  return write_as((*format)->name, options.output, *part.version,
+                  {.length_unit = "mm",
+                   .colours = file_colours_of(part),
+                   .title = options.request.file.stem().string()});
+}
+
 int run_import(import_options options, session& s) {
   const stopwatch total;
+  if (is_mesh_file(options.request.file))
+    return import_as_mesh(options, s);
   auto local = local_sizes_of(options.local_sizes);
   if (!local)
     return print_error(s, local.error());
   options.request.local_sizes = std::move(*local);
-  const bool as_document = is_document(options.output);
-  const auto format = output_format(options.output);
-  if (!options.output.empty() && !as_document && !format)
-    return print_error(s, format.error());
+  if (!options.output.empty() && !is_document(options.output))
+    if (const auto format = output_format(options.output); !format)
+      return print_error(s, format.error());
+  const auto load_cases = first_load_cases(options.load_cases, options.output);
+  if (!load_cases)
+    return print_error(s, load_cases.error());
   options.request.limits.time = std::chrono::seconds(options.time_limit_s);
   options.request.limits.memory_bytes = std::uint64_t{options.memory_mb} << 20;
   if (const auto can = sandbox::check(); !can && !sandbox::is_switched_off())
@@ -210,18 +255,8 @@ int run_import(import_options options, session& s) {
     return print_error(s, with_options(made.error()));
   const auto* part = &made->part;
   stage_times ms{part->read_ms, part->mesh_ms, made->repair_ms, 0};
-  if (!options.output.empty())
-    if (const auto written =
-          as_document
-            ? actors::create_document(options.output,
-                                      {part->version, made->model(),
-                                       options.request.file.filename().string(), part->warnings})
-            : write_as((*format)->name, options.output, *part->version,
-                       {.length_unit = "mm",
-                        .colours = file_colours_of(*part),
-                        .title = options.request.file.stem().string()});
-        !written)
-      return print_error(s, written.error());
+  if (const auto written = write_part(options, *made, *load_cases); !written)
+    return print_error(s, written.error());
   for (const auto& warning : part->warnings)
     notice(s, "note: " + warning);
   const auto report = make_mesh_report(*part->version);
@@ -236,30 +271,38 @@ int run_import(import_options options, session& s) {
 void add_import(CLI::App& app, action& chosen) {
   auto options = std::make_shared<import_options>();
   auto* command = app.add_subcommand(
-    "import", "Mesh a CAD file (STEP, IGES, BREP) or a closed surface (STL, OBJ, PLY, 3MF)");
+    "import",
+    "Mesh a CAD file (STEP, IGES, BREP) or a closed surface (STL, OBJ, PLY, 3MF), or take a mesh, "
+    "and make a document of it");
   command
-    ->add_option("part", options->request.file,
-                 "A STEP, IGES or BREP file with solids, or an STL, OBJ, PLY or 3MF file with a "
-                 "closed surface")
+    ->add_option(
+      "part", options->request.file,
+      "A STEP, IGES or BREP file with solids, an STL, OBJ, PLY or 3MF file with a closed "
+      "surface; or " +
+        read_formats_text())
     ->required();
   command
     ->add_option(
       "--unit", options->request.unit,
-      "What the coordinates of an STL, OBJ or PLY file are in, where it does not say it: "
+      "What the coordinates of an STL, OBJ, PLY or mesh file are in, where it does not say it: "
       "mm, cm, m or inch [mm]")
     ->check(CLI::IsMember({"mm", "cm", "m", "inch", "in"}));
-  command
-    ->add_option("--size", options->request.size,
-                 "How fine: coarse (one tet through the mean wall, 6 edges on a circle), medium "
-                 "(two, 8) or fine (three, 12)")
-    ->check(CLI::IsMember({"coarse", "medium", "fine"}))
-    ->capture_default_str();
+  auto* size = command->add_option(
+    "--size", options->request.size,
+    "How fine: coarse (one tet through the mean wall, 6 edges on a circle), medium "
+    "(two, 8) or fine (three, 12)");
+  size->check(CLI::IsMember({"coarse", "medium", "fine"}))->capture_default_str();
   command->add_option("--local-size", options->local_sizes,
                       "SURFACE=MM, again and again: the longest edge on a surface of a CAD file, "
                       "by its number or name; edges grow from there");
   command->add_option("-o,--output", options->output,
                       "Write the mesh, in mm: " + written_formats_text() +
                         "; or a document (.tedit) with the mesh and the CAD model");
+  command
+    ->add_option("--load-case", options->load_cases,
+                 "Into the document: materials, supports and loads (JSON); again for more. A deck "
+                 "brings its own")
+    ->allow_extra_args(false);
   command
     ->add_option("--time-limit", options->time_limit_s,
                  "Seconds after which reading, or meshing, is given up")
@@ -270,8 +313,10 @@ void add_import(CLI::App& app, action& chosen) {
                  "The most memory that reading, or meshing, may take")
     ->capture_default_str()
     ->check(CLI::Range(256U, 1048576U));
-  command->callback(
-    [options, &chosen] { chosen = [options](session& s) { return run_import(*options, s); }; });
+  command->callback([options, size, &chosen] {
+    options->has_size = size->count() > 0;
+    chosen = [options](session& s) { return run_import(*options, s); };
+  });
 }
 
 }  // namespace tedit::cli

@@ -37,6 +37,7 @@ expected<void> create_document(const std::filesystem::path& file, const first_ve
     return fail(document.error());
   graph_node node;
   node.info.operation = "import";
+  node.load_cases = std::make_shared<const load_case_list>(first.load_cases);
   describe_mesh(node, first.mesh);
   auto change = change_of(node, nullptr);
   past_change past;
@@ -46,7 +47,7 @@ expected<void> create_document(const std::filesystem::path& file, const first_ve
   past.version = 0;
   past.warnings = first.warnings;
   change.details = past.to_details(
-    nlohmann::json{{"file", to_utf8(first.file_name)}, {"length_unit", "mm"}}.dump());
+    nlohmann::json{{"file", to_utf8(first.file_name)}, {"length_unit", first.length_unit}}.dump());
   if (first.model)
     change.cad.push_back(row_with(*first.model, 0));  // Of version 0, as it stands there.
   return (*document)->commit(change);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cad/model.hpp"
+#include "fem/load_case.hpp"
 #include "mesh/version.hpp"
 
 namespace tedit::actors {
@@ -17,7 +18,9 @@ struct first_version {
   std::optional<cad::cad_model> model;  ///< None for a part that did not come from CAD.
   std::string file_name;                ///< Where it came from.
   std::vector<std::string> warnings;
-  std::string client = "tedit";  ///< Who brought it, by name.
+  std::string client = "tedit";    ///< Who brought it, by name.
+  std::string length_unit = "mm";  ///< Of that file.
+  std::vector<fem::load_case> load_cases = {};
 };
 
 /// Makes a document with this version. Errors: `conflict` when something has the name; those of

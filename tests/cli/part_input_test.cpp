@@ -109,5 +109,76 @@ TEST_F(PartInput, TwoDocumentsAreComparedOrADocumentWithAMesh) {
   EXPECT_EQ(run("compare --json " + at("cube.msh") + " " + cube() + " --from 0").status, 2);
 }
 
+TEST_F(PartInput, AMeshWithItsLoadsBecomesADocument) {
+  const auto made =
+    run("import --json " + plate + " --load-case " + plate_loads + " -o " + at("plate.tedit"));
+  ASSERT_EQ(made.status, 0) << made.out;
+  EXPECT_EQ(made.parsed()["load_cases"].size(), 1U);
+  EXPECT_EQ(made.parsed()["length_unit"], "mm");
+  const auto own = run("solve --json --device cpu --order 1 " + at("plate.tedit")).parsed();
+  const auto apart =
+    run("solve --json --device cpu --order 1 " + plate + " --load-case " + plate_loads).parsed();
+  EXPECT_EQ(own["version_id"], apart["version_id"]);
+  EXPECT_EQ(own["max_von_mises_pa"], apart["max_von_mises_pa"]);
+  const auto edited = run("edit --json " + at("plate.tedit") +
+                          " --op fill_hole --surfaces 1,2 -o " + at("next.tedit"));
+  ASSERT_EQ(edited.status, 0) << edited.out;
+  EXPECT_EQ(run("info --json " + at("next.tedit")).parsed()["load_cases"],
+            made.parsed()["load_cases"]);
+  EXPECT_EQ(run("import " + plate + " -o " + at("plate.tedit")).status, 1) << "written over";
+}
+
+TEST_F(PartInput, ADeckBringsItsOwnLoads) {
+  ASSERT_EQ(run("export " + cube() + " --order 1 -o " + at("cube.inp")).status, 0);
+  const auto made = run("import --json " + at("cube.inp") + " -o " + at("deck.tedit"));
+  ASSERT_EQ(made.status, 0) << made.out;
+  EXPECT_EQ(made.parsed()["load_cases"].size(), 1U);
+  EXPECT_EQ(made.parsed()["length_unit"], "m");
+  EXPECT_EQ(run("solve --json --device cpu " + at("deck.tedit")).status, 0);
+}
+
+TEST_F(PartInput, WhatDoesNotGoWithAMeshIsRefusedAndNothingIsLeft) {
+  ASSERT_EQ(run("convert " + cube() + " -o " + at("cube.msh")).status, 0);
+  const std::tuple<std::string, const char*, const char*> wrong[] = {
+    {" --load-case " + plate_loads + " -o " + at("new.tedit"), "surface_not_found",
+     "names surface"},
+    {" --load-case " + plate_loads + " -o " + at("new.msh"), "usage", "goes into a document"},
+    {" --size fine -o " + at("new.tedit"), "usage", "has its sizes already"},
+    {" --local-size 1=2 -o " + at("new.tedit"), "usage", "has its sizes already"},
+  };
+  for (const auto& [options, code, words] : wrong) {
+    const auto refused = run("import --json " + at("cube.msh") + options).parsed();
+    EXPECT_EQ(refused["error"]["code"], code) << options;
+    EXPECT_THAT(refused["error"]["message"].get<std::string>(), HasSubstr(words)) << options;
+    EXPECT_FALSE(fs::exists(at("new.tedit")) || fs::exists(at("new.msh"))) << options;
+  }
+}
+
+TEST_F(PartInput, LoadCasesOfADocumentAreSetAndRemoved) {
+  const auto loads = at("pull.json");
+  ASSERT_EQ(run("convert " + cube() + " -o " + at("x.msh") + " --load-case " + loads).status, 0);
+  auto harder = json::parse(std::ifstream(loads));
+  harder["name"] = "harder";
+  std::ofstream(at("harder.json")) << harder.dump();
+
+  const auto listed = run("doc loads --json " + cube()).parsed();
+  ASSERT_EQ(listed["load_cases"].size(), 1U);
+  EXPECT_EQ(listed["load_cases"][0]["name"], "pull");
+  const auto set = run("doc loads --json " + cube() + " --set " + at("harder.json")).parsed();
+  EXPECT_EQ(set["load_cases"].size(), 2U);
+  const auto again = run("doc loads --json " + cube() + " --set " + at("harder.json")).parsed();
+  EXPECT_EQ(again["load_cases"].size(), 2U) << "it takes the place of the one of its name";
+  const auto both = run("info --json " + cube()).parsed();
+  EXPECT_EQ(both["load_cases"], json({"pull", "harder"}));
+  EXPECT_EQ(run("doc loads --json " + cube() + " --remove pull").status, 0);
+  EXPECT_EQ(run("info --json " + cube()).parsed()["load_cases"], json({"harder"}));
+  const auto none = run("doc loads --json " + cube() + " --remove pull").parsed();
+  EXPECT_EQ(none["error"]["code"], "not_found");
+  const auto foreign = run("doc loads --json " + cube() + " --set " + plate_loads).parsed();
+  EXPECT_EQ(foreign["error"]["code"], "surface_not_found");
+  EXPECT_EQ(run("info --json " + cube()).parsed()["load_cases"], json({"harder"}));
+  EXPECT_EQ(run("doc check " + cube()).status, 0);
+}
+
 }  // namespace
 }  // namespace tedit::test
