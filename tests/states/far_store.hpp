@@ -7,6 +7,7 @@
 
 #include "actors/errors.hpp"
 #include "actors/pages/page_store.hpp"
+#include "tests/simulation/server.hpp"
 #include "tests/states/fixture.hpp"
 
 namespace tedit::actors {
