@@ -130,8 +130,6 @@ void add_select(CLI::App& app, action& chosen) {
                  "What counts as small for --smooth and --neighbours, degrees")
     ->check(number_in({0, 180, "degrees"}))
     ->capture_default_str();
-  command->add_option("--length-unit", options->length_unit, "The mesh file's length unit")
-    ->capture_default_str();
   command->footer(
     "example:\n"
     "  tedit select part.msh --hole 12\n"
