@@ -81,7 +81,7 @@ expected<part_side> side_of_file(const part_input& input, const compare_options&
   auto part = read_input(input, s);
   if (!part)
     return fail(part.error());
-  part_side side{input.file, std::move(part->mesh.version), std::move(part->load_cases)};
+  part_side side{input.file, part->mesh.version, part->load_cases};
   if (options.load_cases.empty())
     return side;
   auto told = cases_of(input, *part, options.load_cases);

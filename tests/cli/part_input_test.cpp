@@ -76,7 +76,7 @@ TEST_F(PartInput, AFileOfTheSameNameAsTheDocumentsCaseGetsAnother) {
   const auto both =
     run("solve --json --device cpu " + cube() + " --load-case pull --load-case " + loads);
   ASSERT_EQ(both.status, 0) << both.out;
-  const auto cases = both.parsed()["load_cases"];
+  const auto cases = both.parsed()["cases"];
   ASSERT_EQ(cases.size(), 2U);
   EXPECT_NE(cases[0]["load_case"], cases[1]["load_case"]);
 }
