@@ -107,6 +107,10 @@ std::uint64_t whole_memory(const fs::path& root) {
   return result;
 }
 
+std::uint64_t memory_kills(const fs::path& root) {
+  return number_of(root / "proc/vmstat", "oom_kill").value_or(0);
+}
+
 expected<void> check_memory(std::uint64_t bytes, const memory_room& room, const std::string& what) {
   if (bytes <= room.bytes)
     return {};

@@ -33,6 +33,10 @@ struct memory_room {
 /// least that one of its control groups may have. Cost: reads a few small files.
 [[nodiscard]] std::uint64_t whole_memory(const std::filesystem::path& root = "/");
 
+/// How many processes the system has ended because memory ran out, since it started; 0 where it
+/// does not say. Cost: reads a file of /proc, some 20 us.
+[[nodiscard]] std::uint64_t memory_kills(const std::filesystem::path& root = "/");
+
 /// Refuses work that needs `bytes` when there are less. `what` begins the message ("the solve").
 /// Errors: `out_of_memory` with both sizes, the limit and what to do.
 [[nodiscard]] expected<void> check_memory(std::uint64_t bytes, const memory_room& room,

@@ -4,7 +4,11 @@
 #include <utility>
 
 #include "actors/solver/solve_output.hpp"
+#include "actors/supervisor/job_estimate.hpp"
+#include "actors/versions.hpp"
 #include "base/logging/logging.hpp"
+#include "base/memory.hpp"
+#include "base/process_usage.hpp"
 #include "base/stopwatch.hpp"
 
 namespace tedit::actors {
@@ -62,11 +66,26 @@ struct solve_task {
   stopwatch total;
 };
 
+/// Refuses a solve for which there is not nearly memory enough before it makes its problem: what
+/// this process holds goes for it, and the estimate may be a third too high. The backend looks
+/// closer before it assembles.
+expected<void> check_room(const solve_order& order, const fem::backend& device) {
+  if (device.info().kind != "native")
+    return {};
+  auto room = available_memory();
+  room.bytes += usage_of_this_process().resident_bytes;
+  const auto least = static_cast<std::uint64_t>(estimate(order).memory_bytes * 2 / 3);
+  const auto tets = static_cast<std::uint64_t>(tets_of(order.version));
+  return check_memory(least, room, "the solve of " + std::to_string(tets) + " tets");
+}
+
 expected<job_output<solve_result>> solve_on(const solve_task& task, const std::string& device_name,
                                             const std::string& notice) {
   const auto device = open_device(task.systems, device_name);
   if (!device)
     return fail(device.error());
+  if (auto ok = check_room(task.order, **device); !ok)
+    return fail(ok.error());
   fem::solve_settings settings;
   settings.tolerance = task.order.tolerance;
   settings.energy_tolerance = task.order.energy_tolerance;

@@ -119,6 +119,7 @@ void pool_state::dispatch() {
     c->last_place = next.place.document;
     c->work = std::move(next);
     c->work_began = now();
+    c->memory_kills = options.processes->memory_kills();
     c->work->deadline = now() + limit_of(*c->work);
     begin_stage(*c->work, "work", c);
     wake();

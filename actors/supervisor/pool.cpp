@@ -13,6 +13,19 @@ namespace tedit::actors {
 
 namespace {
 
+/// What is said of a worker that the system ended for want of memory.
+constexpr const char* as_memory_ran_out = ", as memory ran out";
+
+error refusal_of_starved(const std::string& role, int times) {
+  return {
+    ec::out_of_memory,
+    "memory ran out while the " + role + " worker worked on this, " + std::to_string(times) +
+      " times: the system ended it",
+    "Give the machine or its container more memory (\"tedit doctor\" says what there is), take "
+    "a coarser mesh or linear tets, or let fewer work at once",
+    {}};
+}
+
 bool is_preview(const pool_state::job& work) {
   return work.place.what == urgency::preview;
 }
@@ -292,7 +305,8 @@ void pool_state::try_again(job work, const std::string& how) {
     return work.refuse({ec::cancelled, "the work was cancelled", {}, {}});
   // Nobody waits long for a preview: the next one is as good.
   const bool misdeed = is_misdeed(how);
-  if (!misdeed && work.deaths <= (is_preview(work) ? 1 : options.retries)) {
+  const bool starved = how.ends_with(as_memory_ran_out);
+  if (!misdeed && work.deaths <= (is_preview(work) || starved ? 1 : options.retries)) {
     work.place.again = true;
     begin_stage(work, "wait");
     return waiting.push_front(std::move(work));
@@ -302,6 +316,8 @@ void pool_state::try_again(job work, const std::string& how) {
     return work.refuse(*why);
   if (misdeed)
     return work.refuse(refusal_of_misdeed(work.edit, how, catalogue.get()));
+  if (starved)
+    return work.refuse(refusal_of_starved(name_of(options.role), work.deaths));
   work.refuse({ec::internal,
                "the " + name_of(options.role) + " worker " + how + " while it worked on this" +
                  (work.edit.operation.empty() ? "" : " (operation " + work.edit.operation + ")") +
@@ -315,13 +331,15 @@ void pool_state::bury(std::list<child>::iterator dead, const std::string& how) {
   logging::warn("{} worker: {}", name_of(options.role), last_failure);
   numbers->deaths.add();
   auto work = std::move(dead->work);
+  const bool starved = work && !dead->is_remote() && how.find("signal 9") != std::string::npos &&
+                       options.processes->memory_kills() > dead->memory_kills;
   if (dead->is_remote() && !dead->retired)
     expected_back = now() + options.comeback;
   caf::anon_send_exit(dead->enlister, caf::exit_reason::user_shutdown);
   children.erase(dead);
   wake();
   if (work)
-    try_again(std::move(*work), how);
+    try_again(std::move(*work), starved ? how + as_memory_ran_out : how);
   spawn_missing();
   dispatch();
   say_health();

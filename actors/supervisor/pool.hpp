@@ -145,7 +145,8 @@ struct pool_state {
     std::int32_t worker_pid = 0;  ///< As it says: its keeper, if it has one, is another process.
     node_facts node;              ///< Of a remote one; else without a name.
     std::uint64_t jobs_done = 0;
-    clock::time_point work_began;  ///< Of the work that it has.
+    clock::time_point work_began;    ///< Of the work that it has.
+    std::uint64_t memory_kills = 0;  ///< Of this machine, before that work.
     std::uint64_t last_place = 0;  ///< Whose job it did last: what that one works on is in memory.
     cost_model costs;              ///< Of the jobs that it did: no two machines are alike.
     /// Since when it gets no more work; others still fetch the pages of its last result.

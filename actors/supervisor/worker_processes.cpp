@@ -3,6 +3,7 @@
 
 #include "actors/links/link.hpp"
 #include "base/keeper.hpp"
+#include "base/memory.hpp"
 #include "base/process.hpp"
 
 namespace tedit::actors {
@@ -33,6 +34,8 @@ public:
     kill_process(pid);
     remove_temporary_folder(pid);
   }
+
+  [[nodiscard]] std::uint64_t memory_kills() const override { return tedit::memory_kills(); }
 };
 
 }  // namespace

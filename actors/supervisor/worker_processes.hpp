@@ -3,6 +3,7 @@
 
 #include <sys/types.h>
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -35,6 +36,9 @@ public:
 
   /// Ends a process and waits for its end.
   virtual void kill(pid_t pid) = 0;
+
+  /// How many processes of this machine were ended because memory ran out.
+  [[nodiscard]] virtual std::uint64_t memory_kills() const { return 0; }
 };
 
 /// Those of this machine, each at the other end of a link (actors/links/link.hpp).

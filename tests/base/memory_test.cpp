@@ -124,6 +124,12 @@ TEST_F(Processors, GroupsOfTheFirstVersionCountToo) {
   EXPECT_EQ(processors(root_), 1U);
 }
 
+TEST_F(Memory, HowManyProcessesTheSystemEnded) {
+  EXPECT_EQ(memory_kills(root_), 0U) << "it does not say";
+  write("proc/vmstat", "nr_free_pages 5\noom_kill 3\n");
+  EXPECT_EQ(memory_kills(root_), 3U);
+}
+
 TEST(MemoryCheck, ARefusalNamesBothSizesAndTheLimit) {
   const auto refused = check_memory(300u << 20, {200u << 20, "the machine"}, "the solve");
 

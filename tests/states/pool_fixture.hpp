@@ -73,6 +73,8 @@ public:
     end(one, "was killed by signal 9 (Killed)");
   }
 
+  [[nodiscard]] std::uint64_t memory_kills() const override { return starved; }
+
   static void end(process& one, const std::string& how) {
     if (!one.how.empty())
       return;
@@ -82,6 +84,7 @@ public:
 
   bool enlists = true;
   std::string refusal;
+  std::uint64_t starved = 0;  ///< Processes that the system ended.
   std::deque<process> all;
 };
 

@@ -255,6 +255,33 @@ TEST_F(Pool, AWorkerWhoseLinkIsDownAndThatDoesNotEndIsKilled) {
   EXPECT_TRUE(got.is_success());
 }
 
+TEST_F(Pool, WhereMemoryRanOutWorkIsTriedTwiceAndToldSo) {
+  start();
+  const auto got = edit(1);
+  for (int i = 0; i < 2; ++i) {
+    ASSERT_FALSE(got.is_there()) << i;
+    ++processes_->starved;
+    processes_->end(process(), "was killed by signal 9 (Killed)");
+    pass(milliseconds(300));
+  }
+  EXPECT_EQ(got.refusal().code, ec::out_of_memory);
+  EXPECT_THAT(got.refusal().message, HasSubstr("memory ran out"));
+  EXPECT_THAT(got.refusal().remedy, HasSubstr("more memory"));
+}
+
+TEST_F(Pool, AKillThatIsNotTheSystemsIsNoWantOfMemory) {
+  processes_->starved = 7;  // Before this work.
+  start();
+  const auto got = edit(1);
+  for (int i = 0; i < 3; ++i) {
+    ASSERT_FALSE(got.is_there()) << i;
+    processes_->end(process(), "was killed by signal 9 (Killed)");
+    pass(milliseconds(300));
+  }
+  EXPECT_EQ(got.refusal().code, ec::internal);
+  EXPECT_THAT(got.refusal().message, HasSubstr("was killed by signal 9"));
+}
+
 TEST_F(Pool, ALateAnswerOfADeadWorkerIsNobodys) {
   start();
   const auto got = edit(1);
