@@ -77,7 +77,7 @@ ROOMS = {
     "client": (("tls", "certs", "protocol", *WIRE), ("boost/", "tedit/v1/", "google/")),
     "client/recipes": (("client", "protocol", *WIRE), ("nlohmann/",)),
     "actors/links": (("certs", "base/logging", "base"), ("caf/", "boost/", "openssl/")),
-    "actors/cad": (("actors", "cad", "scan", "protocol", "edit", "ops/sdk", "mesh/io", "mesh", "base"), ("caf/", "nlohmann/")),
+    "actors/cad": (("actors", "cad", "scan", "protocol", "edit", "fem", "ops/sdk", "mesh/io", "mesh", "base"), ("caf/", "nlohmann/")),
     "actors": (
         ("actors/cad", "actors/links", "base/logging", "base/tracing", "sandbox", "decks", "protocol", "compare", "edit", "fem", "fem/native", "ops/loader", "ops/services", "ops/sdk", "mesh/io", "mesh", "base"),
         ("caf/", "sqlite3.h", "zstd.h", "nlohmann/"),
