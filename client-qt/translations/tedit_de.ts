@@ -10585,6 +10585,18 @@
         <source>this is no number of an entity</source>
         <translation>das ist keine Nummer eines Eintrags</translation>
     </message>
+    <message>
+        <source>Give the machine or its container more memory (&quot;tedit doctor&quot; says what there is), take a coarser mesh or linear tets, or let fewer work at once</source>
+        <translation>Der Maschine oder ihrem Container mehr Speicher geben („tedit doctor“ sagt, was da ist), ein gröberes Netz oder lineare Tetraeder nehmen oder weniges zugleich arbeiten lassen</translation>
+    </message>
+    <message>
+        <source>memory ran out while the %1 worker worked on this, %2 times: the system ended it</source>
+        <translation>Der Speicher ging %2-mal aus, während der Arbeitsprozess „%1“ daran arbeitete: das System hat ihn beendet</translation>
+    </message>
+    <message>
+        <source>the solve of %1 tets</source>
+        <translation>die Rechnung mit %1 Tetraedern</translation>
+    </message>
 </context>
 <context>
     <name>server_lists</name>
