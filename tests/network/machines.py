@@ -346,6 +346,15 @@ def many_kills(hall, count, only):
     part.close()
 
 
+def renew_solvers(hall):
+    """Their processes end and begin anew: nothing that they had is there."""
+    racks = [name for name in WORKERS if WORKERS[name] == "solver"]
+    before = hall.links()
+    for name in racks:
+        kill(hall, name)
+    wait_until(lambda: all(hall.links().get(name) not in (None, before[name]) for name in racks), 60)
+
+
 def cold_solve(hall, name, order):
     """A part that no solver has: the times to its first and its final field, MB to the solvers and from them."""
     import tedit.events
@@ -382,6 +391,7 @@ def cold(hall):
         for worker in WORKERS:
             hall.wire[worker].bytes_s = bytes_s
         for order in (1, 2):
+            renew_solvers(hall)
             times = cold_solve(hall, f"cold-{order}-{bytes_s:.0f}", order)
             row(name, "linear" if order == 1 else "quadratic", *(f"{one:.2f}" for one in times))
 
