@@ -128,6 +128,7 @@ struct apply_request {
 struct preview_request {
   apply_request edit;
   bool find_most = false;  ///< Where it is refused, look for the most that works.
+  bool draft = false;      ///< Only what is seen of it.
 };
 
 enum class move_kind { undo, redo, go_to };
@@ -235,6 +236,7 @@ struct previewed {
   version_ptr version;
   shared_report report;
   shared_load_cases load_cases = no_load_cases();
+  bool draft = false;  ///< The version's new tets are none to work with.
 };
 
 struct load_cases_changed {

@@ -169,6 +169,7 @@ struct edit_order {
   wire_value<edit_request> wanted;
   bool preview = false;   ///< Gives way to all other work.
   bool find_most = true;  ///< Where it is refused, look for the most that works.
+  bool draft = false;     ///< Only what is seen of it (`ops::make_draft_services`).
   /// Whose edit this is, for the quarantine. They do not travel: workers need not know.
   std::string document;
   std::string client;
@@ -177,7 +178,7 @@ struct edit_order {
 template <class Inspector>
 typename Inspector::result_type inspect(Inspector& f, edit_order& x) {
   return f(caf::meta::type_name("edit_order"), x.base.source, x.base.listener, x.version, x.wanted,
-           x.preview, x.find_most);
+           x.preview, x.find_most, x.draft);
 }
 
 /// What an operation made and what it says about it; nothing of it is trusted before the checks.
@@ -201,12 +202,13 @@ struct check_order {
   wire_value<edit_request> wanted;
   wire_value<load_case_list> load_cases;  ///< Carried over by surface ids.
   bool preview = false;                   ///< Gives way to all other work.
+  bool draft = false;                     ///< Nothing is improved or checked.
 };
 
 template <class Inspector>
 typename Inspector::result_type inspect(Inspector& f, check_order& x) {
   return f(caf::meta::type_name("check_order"), x.base.source, x.base.listener, x.before,
-           x.candidate, x.wanted, x.load_cases, x.preview);
+           x.candidate, x.wanted, x.load_cases, x.preview, x.draft);
 }
 
 /// A version that passed every postcondition.

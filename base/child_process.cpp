@@ -152,7 +152,7 @@ expected<std::vector<char>> exchange(unique_fd& to_child, unique_fd& from_child,
     if (input.empty())
       to_child.reset();
     std::array<pollfd, 2> ends{{{from_child.get(), POLLIN, 0}, {to_child.get(), POLLOUT, 0}}};
-    const int wait = static_cast<int>(std::min<std::int64_t>(left.count(), 50));
+    const int wait = static_cast<int>(std::min<std::int64_t>(left.count(), 10));
     if (poll(ends.data(), input.empty() ? 1 : 2, wait) < 0 && errno != EINTR)
       return fail(ec::internal, std::string("poll failed: ") + std::strerror(errno));
     if (!input.empty() && (ends[1].revents & (POLLOUT | POLLERR))) {

@@ -156,13 +156,14 @@ expected<edit_preview> client::preview_edit(const std::string& operation,
                                             const std::vector<surface_id>& surfaces,
                                             const ops::parameters& values, const execution& run,
                                             const std::string& expected_version,
-                                            const fem::carry_settings& loads, bool find_most) {
+                                            const fem::carry_settings& loads, preview_kind kind) {
   auto edit = impl_->describe_edit(operation, surfaces, values, expected_version, loads);
   if (!edit)
     return fail(std::move(edit.error()));
   v1::ClientMessage request;
   *request.mutable_preview_edit()->mutable_edit() = std::move(*edit);
-  request.mutable_preview_edit()->set_find_most(find_most);
+  request.mutable_preview_edit()->set_find_most(kind == preview_kind::whole_or_most);
+  request.mutable_preview_edit()->set_draft(kind == preview_kind::draft);
   auto got = impl_->ask(std::move(request), body::kEditPreview, run);
   if (!got)
     return fail(std::move(got.error()));

@@ -160,11 +160,11 @@ public:
   /// those of `edit`, which takes the result over at once when it follows with the same. Applied
   /// to a copy of `surface()`, the answer's difference gives the surface to show. Errors: those of
   /// `edit`, and `superseded` when the document is changed or another preview is asked for
-  /// meanwhile. With `find_most` a refusal takes up to 3 s longer and may know the most that works.
+  /// meanwhile.
   [[nodiscard]] expected<edit_preview> preview_edit(
     const std::string& operation, const std::vector<surface_id>& surfaces,
     const ops::parameters& values, const execution& run, const std::string& expected_version = {},
-    const fem::carry_settings& loads = {}, bool find_most = false);
+    const fem::carry_settings& loads = {}, preview_kind kind = preview_kind::whole);
 
   /// The surface of any version, by its number; head and `surface()` stay as they are. Errors: also
   /// `not_found`.

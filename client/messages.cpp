@@ -270,6 +270,7 @@ expected<edit_preview> read_preview(const v1::EditPreview& message, const incomi
                       message.boundary_facets(),
                       {}};
   result.load_cases = load_cases_from(message.load_cases(), result.report.notices);
+  result.draft = message.draft();
   return result;
 }
 

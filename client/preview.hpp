@@ -16,6 +16,16 @@ struct edit_preview {
   std::uint64_t vertices = 0;
   std::uint64_t boundary_facets = 0;
   std::vector<fem::load_case> load_cases;  ///< As they would be carried over.
+  /// Only what is seen: no tets, nothing checked. Never where a whole preview was asked for.
+  bool draft = false;
+};
+
+/// How much of a preview is asked for.
+enum class preview_kind {
+  draft,  ///< What is seen of it, several times sooner: while a value is dragged.
+  whole,  ///< What the edit makes and says, with its refusal.
+  /// The same; where it is refused the most that works is looked for, which takes up to 3 s longer.
+  whole_or_most,
 };
 
 }  // namespace tedit::client

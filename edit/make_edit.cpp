@@ -33,6 +33,24 @@ edit_report begin_report(const edit_candidate& candidate, const edit_request& wa
   return report;
 }
 
+/// Loads and supports on the surfaces that there are then. Errors: those of `fem::refuse_losses`
+/// where none may be lost.
+expected<void> carry_loads(const mesh_version& base, const std::vector<fem::load_case>& load_cases,
+                           const edit_request& wanted, checked_edit& result) {
+  auto& report = result.report;
+  report.from_version = to_hex(base.id());
+  report.to_version = to_hex(result.version->id());
+  report.surface_map = compare_surfaces(base, *result.version);
+  for (const auto& loads : load_cases) {
+    auto carried = fem::carry_over(loads, base, *result.version, report.surface_map, wanted.loads);
+    report.receipt.insert(report.receipt.end(), carried.lines.begin(), carried.lines.end());
+    result.load_cases.push_back(std::move(carried.after));
+  }
+  if (wanted.loads.policy == fem::load_policy::refuse)
+    return fem::refuse_losses(report.receipt);
+  return {};
+}
+
 }  // namespace
 
 expected<edit_candidate> run_operation(const ops::catalogue& plugins, const version_ptr& base,
@@ -71,17 +89,8 @@ expected<checked_edit> check_candidate(const version_ptr& base, const edit_candi
     return fail(finished.error());
   checked_edit result{finished->version, {}, begin_report(candidate, wanted)};
   auto& report = result.report;
-  report.from_version = to_hex(base->id());
-  report.to_version = to_hex(result.version->id());
-  report.surface_map = compare_surfaces(*base, *result.version);
-  for (const auto& loads : load_cases) {
-    auto carried = fem::carry_over(loads, *base, *result.version, report.surface_map, wanted.loads);
-    report.receipt.insert(report.receipt.end(), carried.lines.begin(), carried.lines.end());
-    result.load_cases.push_back(std::move(carried.after));
-  }
-  if (wanted.loads.policy == fem::load_policy::refuse)
-    if (auto nothing_lost = fem::refuse_losses(report.receipt); !nothing_lost)
-      return fail(std::move(nothing_lost.error()));
+  if (auto carried = carry_loads(*base, load_cases, wanted, result); !carried)
+    return fail(std::move(carried.error()));
   count_tets(*base, *result.version, report);
   report.volume_change = finished->volume_change;
   if (finished->improvement.before)
@@ -89,6 +98,19 @@ expected<checked_edit> check_candidate(const version_ptr& base, const edit_candi
   report.ratios = finished->ratios;
   report.improve_ms = finished->improve_ms;
   report.check_ms = finished->check_ms;
+  return result;
+}
+
+expected<checked_edit> draft_of(const version_ptr& base, const edit_candidate& candidate,
+                                const edit_request& wanted,
+                                const std::vector<fem::load_case>& load_cases) {
+  checked_edit result{candidate.made.candidate, {}, begin_report(candidate, wanted)};
+  if (auto carried = carry_loads(*base, load_cases, wanted, result); !carried)
+    return fail(std::move(carried.error()));
+  result.report.volume_change = candidate.made.volume_change;
+  // Measured on a result that is none, and said of ids that may be each other's.
+  result.report.figures.clear();
+  result.report.notices.clear();
   return result;
 }
 

@@ -57,6 +57,14 @@ struct checked_edit {
                                                      const std::vector<fem::load_case>& load_cases,
                                                      const execution& run);
 
+/// In place of the second half for what is only looked at: the surface map and the receipt of each
+/// load case, with the operation's word for the change of volume. Nothing is improved, checked or
+/// counted.
+[[nodiscard]] expected<checked_edit> draft_of(const version_ptr& base,
+                                              const edit_candidate& candidate,
+                                              const edit_request& wanted,
+                                              const std::vector<fem::load_case>& load_cases);
+
 /// Both, one after the other, with `total_ms`.
 [[nodiscard]] expected<checked_edit> make_edit(const ops::catalogue& plugins,
                                                const version_ptr& base, const edit_request& wanted,

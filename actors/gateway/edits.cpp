@@ -114,7 +114,7 @@ void preview(client_state& client, std::uint64_t id, const v1::PreviewEdit& body
   };
   client.self
     ->request(document->session, answer_limit,
-              preview_request{std::move(*request), body.find_most()})
+              preview_request{std::move(*request), body.find_most(), body.draft()})
     .then(
       [=, &client](const previewed& made) {
         if (waits())

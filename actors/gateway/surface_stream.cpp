@@ -256,8 +256,11 @@ bulk surface_stream::preview(const actors::previewed& made) const {
                    holds ? vertices_ : std::unordered_set(boundary.begin(), boundary.end()), result,
                    out->mutable_surface());
   protocol::to_message(*made.report, out->mutable_report());
-  out->set_tets(made.version->tet_count());
-  out->set_vertices(made.version->vertex_count());
+  out->set_draft(made.draft);
+  if (!made.draft) {
+    out->set_tets(made.version->tet_count());
+    out->set_vertices(made.version->vertex_count());
+  }
   out->set_boundary_facets(made.version->facet_count());
   protocol::to_messages(*made.load_cases, out->mutable_load_cases());
   return result;

@@ -18,8 +18,9 @@ caf::result<import_result> handle(modeling_pointer self, job_id job, const impor
 caf::result<operation_result> handle(modeling_pointer self, job_id job, const edit_order& order) {
   return perform<operation_result>(
     self, job, order.base, {order.version, {}},
-    [=, plugins = self->state.plugins, services = self->state.services](const job_input& in,
-                                                                        const execution& run) {
+    [=, plugins = self->state.plugins,
+     services = order.draft ? self->state.draft_services : self->state.services](
+      const job_input& in, const execution& run) {
       return apply_operation(*plugins, services, order, in.mesh, run);
     });
 }
@@ -56,6 +57,7 @@ modeling_actor::behavior_type make_modeling(modeling_actor::stateful_pointer<mod
   self->state.jobs.at_start = at_start;
   self->state.plugins = std::move(plugins);
   self->state.services = ops::make_host_services();
+  self->state.draft_services = ops::make_draft_services();
   return {
     [=](job_id job, const import_order& order) { return handle(self, job, order); },
     [=](job_id job, const edit_order& order) { return handle(self, job, order); },

@@ -10,6 +10,7 @@ struct modeling_state {
   worker_jobs jobs;
   std::shared_ptr<const ops::catalogue> plugins;
   std::shared_ptr<ops::services> services;
+  std::shared_ptr<ops::services> draft_services;  ///< For orders that are drafts.
 
   static inline const char* name = "modeling";
 };

@@ -43,7 +43,8 @@ expected<job_output<check_result>> check(const check_order& order, const job_inp
     return fail(wanted ? load_cases.error() : wanted.error());
   edit_candidate candidate{order.candidate.said, order.candidate.operation_ms};
   candidate.made.candidate = *mesh;
-  auto done = check_candidate(in.mesh, candidate, **wanted, **load_cases, run);
+  auto done = order.draft ? draft_of(in.mesh, candidate, **wanted, **load_cases)
+                          : check_candidate(in.mesh, candidate, **wanted, **load_cases, run);
   if (!done)
     return fail(done.error());
   job_output<check_result> output;

@@ -28,6 +28,7 @@ struct session_state::candidate_run {
   page_set pages;  ///< Of the candidate: its worker may die before it is checked.
   bool preview = false;
   bool find_most = true;  ///< Where it is refused, look for the most that works.
+  bool draft = false;     ///< Only what is seen of it.
   std::function<void(const std::shared_ptr<const checked_candidate>&)> done;
   std::function<void(const error&)> refuse;
   std::function<void()> cancel_job;

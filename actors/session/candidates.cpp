@@ -21,8 +21,9 @@ error cancelled_edit() {
 void session_state::make_candidate(const std::shared_ptr<candidate_run>& run) {
   const auto& request = run->request;
   const auto job = new_job(request.ticket, request.client);
-  edit_order order{base_order(job), make_ref(run->base), wire_value(request.wanted), run->preview,
-                   run->find_most,  parts.document,      request.terms.client};
+  edit_order order{base_order(job), make_ref(run->base), wire_value(request.wanted),
+                   run->preview,    run->find_most,      run->draft,
+                   parts.document,  request.terms.client};
   run->cancel_job = [=, this] { caf::anon_send(parts.workers.modeling, cancel_atom::value, job); };
   self->request(parts.workers.modeling, answer_limit, job, std::move(order))
     .then(
@@ -61,7 +62,8 @@ void session_state::check_candidate(const std::shared_ptr<candidate_run>& run,
                     candidate,
                     wire_value(run->request.wanted),
                     wire_value(run->load_cases),
-                    run->preview};
+                    run->preview,
+                    run->draft};
   order.candidate.source = nullptr;
   run->cancel_job = [=, this] { caf::anon_send(parts.workers.optimizer, cancel_atom::value, job); };
   self->request(parts.workers.optimizer, answer_limit, job, std::move(order))
@@ -132,6 +134,7 @@ caf::result<previewed> session_state::preview(const preview_request& wanted) {
   run->work->load_cases = head->load_cases;
   run->work->preview = true;
   run->work->find_most = wanted.find_most;
+  run->work->draft = wanted.draft;
   const auto ticket = request.ticket;
   run->work->done = [=, this,
                      clock = stopwatch()](const std::shared_ptr<const checked_candidate>& made) {
@@ -149,9 +152,13 @@ void session_state::finish_preview(std::uint64_t ticket,
   const auto run = std::move(previews.extract(ticket).mapped());
   auto timed = std::make_shared<checked_candidate>(*made);
   timed->report = made->timed_report(ms);
-  last_preview = std::make_shared<const kept_candidate>(
-    kept_candidate{run->work->request, run->work->base, run->work->load_cases, std::move(timed)});
-  run->promise.deliver(describe_preview(*last_preview));
+  const kept_candidate candidate{run->work->request, run->work->base, run->work->load_cases,
+                                 std::move(timed)};
+  auto answer = describe_preview(candidate);
+  answer.draft = run->work->draft;
+  if (!answer.draft)
+    last_preview = std::make_shared<const kept_candidate>(candidate);
+  run->promise.deliver(std::move(answer));
 }
 
 /// Answers at once; the worker ends when it notices, and nobody hears of it.

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "base/metric_threads.hpp"
+
 namespace tedit::desktop {
 
 namespace {
@@ -19,6 +21,13 @@ QStringList words_in(const std::string& text) {
 
 bool any_of(const QStringList& words, std::initializer_list<const char*> wanted) {
   return std::ranges::any_of(wanted, [&](const char* w) { return words.contains(w); });
+}
+
+/// Names of threads, and maybe one for none.
+bool is_thread(const ops::parameter_description& p) {
+  const auto none = [](const std::string& name) { return !metric_thread_core(name); };
+  return p.type == ops::parameter_type::choice && p.choices.size() > 1 &&
+         std::ranges::count_if(p.choices, none) <= 1;
 }
 
 /// What people read goes before the id: a "Thickness" grows outward also where its id is "depth".
@@ -86,10 +95,17 @@ const handle* handle_plan::find(const std::string& parameter) const {
 handle_plan plan_of(const ops::operation_description& about) {
   handle_plan plan;
   plan.takes_wall = about.selection.minimum == 0;
-  plan.has_profile = std::ranges::any_of(about.parameters, [](const auto& p) {
-    return p.id == "profile" && p.type == ops::parameter_type::choice;
-  });
+  const auto has = [&](const char* id, ops::parameter_type type) {
+    return std::ranges::any_of(about.parameters,
+                               [&](const auto& p) { return p.id == id && p.type == type; });
+  };
+  plan.has_profile = has("profile", ops::parameter_type::choice);
+  plan.has_text = has("text", ops::parameter_type::text) && has("size", ops::parameter_type::real);
   for (const auto& p : about.parameters) {
+    if (p.type == ops::parameter_type::real && p.unit == "rad")
+      plan.angles.push_back(p.id);
+    if (is_thread(p))
+      plan.thread = p.id;
     auto h = handle_of(p, plan.has_profile);
     if (!h)
       continue;

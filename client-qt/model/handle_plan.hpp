@@ -42,7 +42,11 @@ struct handle_plan {
   bool is_plane = false;     ///< A place and a normal: the tool is a plane.
   bool has_profile = false;  ///< `profile`, `size`, `width`, `corners` as ops/tools describes them.
   std::string plane = {};    ///< Stands instead of place and normal: while it is given, no handles.
-  bool takes_wall = false;   ///< A place says which wall is meant, too; else picks stay.
+  std::vector<std::string> angles = {};  ///< Ids in rad: what the ghost has of cones.
+  std::string thread =
+    {};  ///< A choice of metric threads, whose core stands in for the first diameter.
+  bool has_text = false;    ///< A `text` with `size`, the height of its letters.
+  bool takes_wall = false;  ///< A place says which wall is meant, too; else picks stay.
 
   [[nodiscard]] const handle* find(handle::kind what) const;
   [[nodiscard]] const handle* find(const std::string& parameter) const;

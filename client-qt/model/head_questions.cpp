@@ -9,7 +9,7 @@
 namespace tedit::desktop {
 
 /// The surface is made aside, too: a copy of the head's with the difference.
-ticket head_questions::preview(const edit_wish& wish, bool find_most,
+ticket head_questions::preview(const edit_wish& wish, client::preview_kind kind,
                                remote::reply<shared_preview> done,
                                const remote::progress& advanced) {
   const auto* now = part_.head();
@@ -19,8 +19,8 @@ ticket head_questions::preview(const edit_wish& wish, bool find_most,
                                            const execution& run) -> expected<shared_preview> {
       if (!before)
         return fail(ec::superseded, "the part is not here yet");
-      auto got = c.preview_edit(id, wish.surfaces, wish.values, run, before->version_id(),
-                                wish.loads, find_most);
+      auto got =
+        c.preview_edit(id, wish.surfaces, wish.values, run, before->version_id(), wish.loads, kind);
       if (!got)
         return fail(std::move(got.error()));
       auto surface = std::make_shared<client::surface_model>(*before);

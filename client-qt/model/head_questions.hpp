@@ -40,10 +40,9 @@ class head_questions {
 public:
   head_questions(document& part, remote& link) : part_(part), link_(link) {}
 
-  /// What an edit would make of the head. A newer question makes an older one `superseded`. With
-  /// `find_most` a refusal takes longer and may know the most that works.
-  ticket preview(const edit_wish& wish, bool find_most, remote::reply<shared_preview> done,
-                 const remote::progress& advanced = {});
+  /// What an edit would make of the head. A newer question makes an older one `superseded`.
+  ticket preview(const edit_wish& wish, client::preview_kind kind,
+                 remote::reply<shared_preview> done, const remote::progress& advanced = {});
   /// Which surfaces belong together, or why none do.
   void select(const selection_query& query, remote::reply<std::vector<found_feature>> done);
   /// The surface of any version.

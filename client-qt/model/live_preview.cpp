@@ -33,7 +33,7 @@ void live_preview::want(const edit_wish& what) {
   if (wish_ == what)
     return;
   const bool other = !wish_ || wish_->operation != what.operation;
-  if (dragged_ && !other && on_ && !is_slow()) {
+  if (dragged_ && !other && on_ && (!no_drafts_ || !is_slow())) {
     wish_ = what;
     return want_dragged();
   }
@@ -50,40 +50,55 @@ void live_preview::want(const edit_wish& what) {
   emit changed();
 }
 
-/// Most moves change nothing that anybody sees of the preview: they are not told.
+/// Most moves change nothing that anybody sees of the preview: they are not told. What runs and is
+/// no draft is of a rest that is over.
 void live_preview::want_dragged() {
   wished_.start();
   has_looked_ = false;
   if (part_.foreground().current())
     return;
-  if (running_ && !looks_) {
+  if (running_ && (asked_ == kind::draft || (no_drafts_ && asked_ == kind::whole))) {
     newer_ = true;
     return;
   }
-  ask(false);
+  ask_dragged();
+}
+
+void live_preview::ask_dragged() {
+  ask(no_drafts_ ? kind::whole : kind::draft);
 }
 
 void live_preview::set_dragged(bool on) {
-  if (std::exchange(dragged_, on) == on || on || !newer_)
+  if (std::exchange(dragged_, on) == on)
     return;
-  ask(false);
+  if (on) {
+    no_drafts_ = false;
+    return;
+  }
+  const bool comes = running_ && asked_ != kind::draft && !newer_;
+  if (comes || !(running_ || shows_draft()))
+    return;
+  if (!is_slow())
+    ask(kind::whole);
+  else if (newer_)
+    ask_dragged();
 }
 
 double live_preview::wished_ms() const {
   return shown_wished_.isValid() ? static_cast<double>(shown_wished_.nsecsElapsed()) * 1e-6 : 0;
 }
 
-void live_preview::ask(bool find_most) {
+void live_preview::ask(kind what) {
   stop();
   if (!wish_ || part_.foreground().current())
     return;
-  looks_ = find_most;
+  asked_ = what;
   const int mine = question_;
   running_ = true;
   clock_.start();
   asked_wished_ = wished_;
   ticket_ = part_.questions().preview(
-    *wish_, find_most,
+    *wish_, what,
     [this, mine](const expected<shared_preview>& result) {
       if (mine == question_)
         take(result);
@@ -100,16 +115,37 @@ void live_preview::ask(bool find_most) {
 /// The wish has moved on: the answer is shown where it is one, and the next question is asked.
 void live_preview::take_in_passing(const expected<shared_preview>& result) {
   took_ms_ = static_cast<double>(clock_.elapsed());
-  last_ms_[wish_->operation] = took_ms_;
+  if (asked_ == kind::whole)
+    last_ms_[wish_->operation] = took_ms_;
   if (result) {
     shown_ = *result;
     shown_wished_ = asked_wished_;
     refusal_.reset();
+  } else if (asked_ == kind::draft && result.error().code == ec::mesher_failed) {
+    no_drafts_ = true;
   }
-  if (!is_slow())
-    return ask(false);
+  if (asked_ == kind::draft || !is_slow())
+    return ask_dragged();
   if (!result)
     shown_.reset();
+  emit changed();
+}
+
+/// The whole one follows: at once where there is nothing to be seen, or when the pointer rests.
+void live_preview::take_draft(const expected<shared_preview>& result) {
+  if (result) {
+    took_ms_ = static_cast<double>(clock_.elapsed());
+    shown_ = *result;
+    shown_wished_ = asked_wished_;
+    refusal_.reset();
+  } else if (!is_slow()) {
+    return ask(kind::whole);
+  } else {
+    shown_.reset();
+    refusal_ = result.error();
+  }
+  if (!is_slow())
+    quiet_.start();
   emit changed();
 }
 
@@ -124,13 +160,15 @@ void live_preview::take(const expected<shared_preview>& result) {
     return;
   }
   retries_ = 0;
+  if (asked_ == kind::draft)
+    return take_draft(result);
   took_ms_ = static_cast<double>(clock_.elapsed());
-  if (!looks_)  // What looks for long says nothing about the next preview.
+  if (asked_ == kind::whole)  // What looks for long says nothing about the next preview.
     last_ms_[wish_->operation] = took_ms_;
   shown_ = result ? *result : nullptr;
   shown_wished_ = asked_wished_;
   refusal_ = result ? std::nullopt : std::optional(result.error());
-  has_looked_ = std::exchange(looks_, false);
+  has_looked_ = asked_ == kind::whole_or_most;
   const auto most = refusal_ && has_looked_ ? refusal_->most : std::nullopt;
   emit changed();
   if (most)
@@ -146,7 +184,7 @@ void live_preview::stop() {
   if (!std::exchange(running_, false))
     return;
   ticket_.cancel();
-  if (!std::exchange(looks_, false) && wish_ && static_cast<double>(clock_.elapsed()) > slow_ms_)
+  if (asked_ == kind::whole && wish_ && static_cast<double>(clock_.elapsed()) > slow_ms_)
     last_ms_[wish_->operation] = static_cast<double>(clock_.elapsed());
 }
 

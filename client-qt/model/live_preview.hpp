@@ -22,14 +22,15 @@ public:
 
   /// The edit to show from now on. The same again asks nothing.
   void want(const edit_wish& what);
-  /// While something is dragged: nothing waits for rest, and what runs is let go on, so that each
-  /// answer is seen; then the newest wish is asked for, and those between never. When the drag ends
-  /// the last wish is asked for at once.
+  /// While something is dragged: nothing waits for rest, and drafts are asked for, which are
+  /// answered several times sooner. What runs of those is let go on, so that each answer is seen;
+  /// then the newest wish is asked for, and those between never. When it rests or the drag ends the
+  /// whole preview is asked for.
   void set_dragged(bool on);
   /// Asks at once, also when it is off or slow.
-  void ask_now() { ask(false); }
+  void ask_now() { ask(kind::whole); }
   /// Asks once more what was refused: `found_most` follows where there is a value that works.
-  void find_most() { ask(true); }
+  void find_most() { ask(kind::whole_or_most); }
   /// Back to the head.
   void leave();
   void set_on(bool on);
@@ -39,12 +40,14 @@ public:
   [[nodiscard]] bool is_on() const noexcept { return on_; }
   [[nodiscard]] bool has_wish() const noexcept { return wish_.has_value(); }
   /// Whether `find_most` was asked for what is refused now.
-  [[nodiscard]] bool has_looked() const noexcept { return looks_ || has_looked_; }
+  [[nodiscard]] bool has_looked() const noexcept {
+    return (running_ && asked_ == kind::whole_or_most) || has_looked_;
+  }
   /// The last preview of the wanted operation took too long to follow every move.
   [[nodiscard]] bool is_slow() const;
   /// A question is on its way, or will be in a moment.
   [[nodiscard]] bool is_busy() const { return running_ || newer_ || quiet_.isActive(); }
-  /// What is to be seen instead of the head; null: the head.
+  /// What is to be seen instead of the head; null: the head. During a drag a draft.
   [[nodiscard]] const shared_preview& shown() const noexcept { return shown_; }
   /// Why there is nothing to be seen.
   [[nodiscard]] const std::optional<error>& refusal() const noexcept { return refusal_; }
@@ -59,9 +62,14 @@ signals:
   void found_most(const tedit::most_that_works& value);
 
 private:
-  void ask(bool find_most);
+  using kind = client::preview_kind;
+
+  void ask(kind what);
+  void ask_dragged();
   void want_dragged();
   void take_in_passing(const expected<shared_preview>& result);
+  void take_draft(const expected<shared_preview>& result);
+  [[nodiscard]] bool shows_draft() const noexcept { return shown_ && shown_->made.draft; }
   void stop();
   void take(const expected<shared_preview>& result);
   void activity_changed();
@@ -79,11 +87,12 @@ private:
   bool dragged_ = false;
   bool newer_ = false;  ///< The wish is newer than the question that runs.
   bool running_ = false;
-  bool looks_ = false;       ///< What runs looks for the most that works.
-  bool has_looked_ = false;  ///< The refusal is of such a question.
-  int question_ = 0;         ///< Answers to earlier ones are not for us.
+  kind asked_ = kind::whole;  ///< What runs.
+  bool no_drafts_ = false;    ///< None could be made during this drag.
+  bool has_looked_ = false;   ///< The refusal is of a question for the most that works.
+  int question_ = 0;          ///< Answers to earlier ones are not for us.
   int retries_ = 0;
-  std::map<QString, double> last_ms_;  ///< By operation.
+  std::map<QString, double> last_ms_;  ///< By operation, of whole ones.
   shared_preview shown_;
   std::optional<error> refusal_;
   QString stage_;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/metric_threads.hpp"
+
 namespace tedit::desktop {
 
 namespace {
@@ -46,6 +48,18 @@ outline outline_of(const ops::parameters& values) {
   if (profile == "polygon" && corners)
     return round(a, static_cast<int>(std::clamp<std::int64_t>(*corners, 3, 64)));
   return {};
+}
+
+/// A line of text about as long as its letters are, in a font of usual width: which font it will be
+/// the server knows. Nothing where a file stands in for it.
+outline text_box(const ops::parameters& values) {
+  constexpr double advance = 0.86;  // Of a letter, as a share of the height of capitals.
+  const double size = number_in(values, "size");
+  const auto letters = QString::fromStdString(text_in(values, "text")).trimmed().size();
+  if (letters == 0 || !text_in(values, "file").empty())
+    return {};
+  const double along = advance * size * static_cast<double>(letters) / 2;
+  return {{-along, -size / 2}, {along, -size / 2}, {along, size / 2}, {-along, size / 2}};
 }
 
 /// How far the part reaches below the place, m: what "through all there is" goes.
@@ -95,22 +109,112 @@ ghost_body plane_body(const handle_plan& plan, const ops::parameters& values,
   return body;
 }
 
-/// A counterbore: "counterbore_diameter" with "counterbore_depth".
-void add_cylinders(const handle_plan& plan, const ops::parameters& values, const handle_pose& pose,
-                   std::vector<ghost_body>& to) {
+/// What one diameter of a tool that turns about its axis takes: from the wall to `end`, m, against
+/// or along the outward direction.
+struct turned {
+  double radius = 0;   ///< m, at the wall;
+  double narrows = 0;  ///< m less of it a metre.
+  double end = 0;
+
+  [[nodiscard]] double radius_at(double z) const { return radius - narrows * std::abs(z); }
+};
+
+/// Of a diameter; the core of a thread stands in for the first.
+double radius_in(const handle_plan& plan, const handle& ring, const ops::parameters& values) {
+  const bool is_core = !plan.thread.empty() && plan.find(kind::ring) == &ring;
+  const auto core = is_core ? metric_thread_core(text_in(values, plan.thread)) : std::nullopt;
+  return ring.half * core.value_or(number_in(values, ring.parameter));
+}
+
+/// "hole_" of "hole_diameter".
+std::string before_diameter(const std::string& id) {
   constexpr std::string_view diameter = "diameter";
-  for (const auto& ring : plan.all) {
-    if (ring.what != kind::ring || !ring.parameter.ends_with(diameter))
+  return id.substr(0, id.size() - diameter.size());
+}
+
+bool is_diameter(const handle& one) {
+  return one.what == kind::ring && one.parameter.ends_with("diameter");
+}
+
+/// A cylinder: "counterbore_diameter" with "counterbore_depth".
+std::optional<turned> cylinder_of(const handle_plan& plan, const handle& ring,
+                                  const ops::parameters& values, const handle_pose& pose) {
+  const auto prefix = before_diameter(ring.parameter);
+  const auto* length = plan.find(prefix + "depth");
+  if (!length)
+    length = plan.find(prefix + "height");
+  const double radius = radius_in(plan, ring, values);
+  const auto end = end_of(length, values, pose);
+  if (!(radius > 0) || !end || *end == 0)
+    return std::nullopt;
+  return turned{radius, 0, *end};
+}
+
+/// A cone: "countersink_diameter" with "countersink_angle", down to the bore.
+std::optional<turned> cone_of(const handle_plan& plan, const handle& ring, double bore,
+                              const ops::parameters& values) {
+  const auto id = before_diameter(ring.parameter) + "angle";
+  const double radius = radius_in(plan, ring, values);
+  const double narrows = std::tan(number_in(values, id) / 2);
+  if (std::ranges::find(plan.angles, id) == plan.angles.end() || !(radius > bore) || !(narrows > 0))
+    return std::nullopt;
+  return turned{radius, narrows, (bore - radius) / narrows};
+}
+
+/// Does the other take all of it?
+bool is_within(const turned& one, const turned& other) {
+  return std::abs(other.end) > std::abs(one.end) && other.radius >= one.radius &&
+         other.radius_at(one.end) >= one.radius_at(one.end);
+}
+
+/// One below the other, by where they end: what ends first is the widest there.
+void stack(std::vector<turned> parts, const handle_pose& pose, std::vector<ghost_body>& to) {
+  std::ranges::sort(parts, {}, [](const turned& t) { return std::abs(t.end); });
+  double begins = 0;
+  for (const auto& part : parts) {
+    if (std::abs(part.end) <= std::abs(begins) ||
+        std::ranges::any_of(parts, [&](const auto& other) { return is_within(part, other); }))
       continue;
-    const auto prefix = ring.parameter.substr(0, ring.parameter.size() - diameter.size());
-    const auto* length = plan.find(prefix + "depth");
-    if (!length)
-      length = plan.find(prefix + "height");
-    const double radius = ring.half * number_in(values, ring.parameter);
-    const auto end = end_of(length, values, pose);
-    if (radius > 0 && end && *end != 0)
-      to.push_back(body_of(round(radius), *end, pose, false));
+    ghost_body body;
+    for (const auto& [u, v] : round(1)) {
+      const double wide = part.radius_at(begins);
+      const double narrow = part.radius_at(part.end);
+      body.bottom.push_back(pose.frame.point(wide * u, wide * v, begins));
+      body.top.push_back(pose.frame.point(narrow * u, narrow * v, part.end));
+    }
+    to.push_back(std::move(body));
+    begins = part.end;
   }
+}
+
+/// All that turns about the tool's axis.
+void add_turned(const handle_plan& plan, const ops::parameters& values, const handle_pose& pose,
+                std::vector<ghost_body>& to) {
+  std::array<std::vector<turned>, 2> sides;  // Outward and inward.
+  std::optional<turned> bore;
+  for (const auto& ring : plan.all)
+    if (is_diameter(ring))
+      if (const auto part = cylinder_of(plan, ring, values, pose)) {
+        sides[part->end < 0].push_back(*part);
+        if (part->end < 0 && (!bore || part->end < bore->end))
+          bore = part;
+      }
+  for (const auto& ring : plan.all)
+    if (is_diameter(ring) && bore)
+      if (const auto cone = cone_of(plan, ring, bore->radius, values))
+        sides[1].push_back(*cone);
+  for (auto& parts : sides)
+    stack(std::move(parts), pose, to);
+  const auto* depth = plan.find(kind::length);
+  const auto tip_id =
+    std::ranges::find_if(plan.angles, [](const auto& id) { return id.ends_with("tip_angle"); });
+  const double tip = tip_id == plan.angles.end() ? 0 : number_in(values, *tip_id);
+  if (!bore || !depth || !(tip > 0) || number_in(values, depth->parameter) == 0)
+    return;
+  auto end = body_of(round(bore->radius), bore->end, pose, false);
+  end.bottom = std::move(end.top);
+  end.top = {pose.frame.point(0, 0, bore->end - bore->radius / std::tan(tip / 2))};
+  to.push_back(std::move(end));
 }
 
 }  // namespace
@@ -130,7 +234,14 @@ std::vector<ghost_body> ghost_of(const handle_plan& plan, const ops::parameters&
       result.push_back(body_of(shape, *end, pose, profile == "rectangle" || profile == "polygon"));
     return result;
   }
-  add_cylinders(plan, values, pose, result);
+  if (plan.has_text) {
+    const auto shape = text_box(values);
+    const auto end = end_of(plan.find(kind::length), values, pose);
+    if (!shape.empty() && end && *end != 0)
+      result.push_back(body_of(shape, *end, pose, true));
+    return result;
+  }
+  add_turned(plan, values, pose, result);
   return result;
 }
 

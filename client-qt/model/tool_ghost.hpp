@@ -5,7 +5,8 @@
 
 namespace tedit::desktop {
 
-/// A convex body between two outlines with as many points, m; a plane has no `top`.
+/// A convex body between two outlines with as many points, m; a plane has no `top`, a tip one
+/// point.
 struct ghost_body {
   std::vector<vec3> bottom;
   std::vector<vec3> top;
@@ -13,8 +14,10 @@ struct ghost_body {
 };
 
 /// What a form's tool looks like before anything is computed: cylinders for diameters with a depth
-/// or height, prisms for profiles, a square for a plane. Empty where the description says no simple
-/// shape. Cost: microseconds.
+/// or height, cones for those with an angle, the cone of a tip, prisms for profiles, a square for a
+/// plane. Bodies of a turned tool are one below the other, none in another. Empty where the
+/// description says no simple shape: docs/plugins.md, *Handles in the view*, has the rules. Cost:
+/// microseconds.
 [[nodiscard]] std::vector<ghost_body> ghost_of(const handle_plan& plan,
                                                const ops::parameters& values,
                                                const handle_pose& pose);

@@ -12567,6 +12567,10 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
         <source>Looks for the largest value that the part takes, for up to 3 s</source>
         <translation>Sucht den größten Wert, der am Bauteil möglich ist, bis zu 3 s lang</translation>
     </message>
+    <message>
+        <source>Its shape alone, as while it was dragged: ask for the preview, or apply it.</source>
+        <translation>Nur seine Form, wie beim Ziehen: Fordern Sie die Vorschau an oder wenden Sie es an.</translation>
+    </message>
 </context>
 <context>
     <name>tedit::desktop::print_panel</name>

@@ -127,8 +127,7 @@ void handle_layer::paintEvent(QPaintEvent*) {
     return;
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  for (const auto& body : what.ghost)
-    paint_ghost(painter, body, by);
+  paint_ghost(painter, what.ghost, by);
   const laid_handle* marked = nullptr;
   for (const auto& one : what.handles) {
     if (one.of == what.marked)
@@ -145,28 +144,39 @@ void handle_layer::paintEvent(QPaintEvent*) {
   emit painted();
 }
 
-void handle_layer::paint_ghost(QPainter& painter, const ghost_body& body, const lens& by) const {
-  const auto bottom = on_screen(body.bottom, by);
-  const auto top = on_screen(body.top, by);
-  auto all = bottom;
-  all.insert(all.end(), top.begin(), top.end());
-  if (all.size() < 3 || !all_finite(all))
-    return;
+void handle_layer::paint_ghost(QPainter& painter, const std::vector<ghost_body>& bodies,
+                               const lens& by) const {
+  QPainterPath covered;  // Filled once, so that what two bodies cover is no darker.
+  covered.setFillRule(Qt::WindingFill);
+  QPainterPath lines;
+  for (const auto& body : bodies) {
+    const auto bottom = on_screen(body.bottom, by);
+    const auto top = on_screen(body.top, by);
+    auto all = bottom;
+    all.insert(all.end(), top.begin(), top.end());
+    if (all.size() < 3 || !all_finite(all))
+      continue;
+    const auto hull = hull_of(all);
+    covered.addPolygon(hull);
+    covered.closeSubpath();
+    for (const auto& rim : {bottom, top}) {
+      lines.addPolygon(QPolygonF(QList<QPointF>(rim.begin(), rim.end())));
+      lines.closeSubpath();
+    }
+    if (!body.has_edges) {
+      lines.addPolygon(hull);
+      lines.closeSubpath();
+      continue;
+    }
+    for (std::size_t i = 0; i < std::min(bottom.size(), top.size()); ++i) {
+      lines.moveTo(bottom[i]);
+      lines.lineTo(top[i]);
+    }
+  }
   QColor fill = tool_ink;
   fill.setAlpha(ghost_alpha);
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(fill);
-  painter.drawPolygon(hull_of(all));
-  painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(tool_ink, 1.4));
-  for (const auto& rim : {bottom, top})
-    painter.drawPolygon(QPolygonF(QList<QPointF>(rim.begin(), rim.end())));
-  if (!body.has_edges) {
-    painter.drawPolygon(hull_of(all));
-    return;
-  }
-  for (std::size_t i = 0; i < std::min(bottom.size(), top.size()); ++i)
-    painter.drawLine(bottom[i], top[i]);
+  painter.fillPath(covered, fill);
+  painter.strokePath(lines, QPen(tool_ink, 1.4));
 }
 
 /// Seen on every ground: light beside dark.

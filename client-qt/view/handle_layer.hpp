@@ -50,7 +50,7 @@ protected:
   void paintEvent(QPaintEvent* event) override;
 
 private:
-  void paint_ghost(QPainter& painter, const ghost_body& body, const lens& by) const;
+  void paint_ghost(QPainter& painter, const std::vector<ghost_body>& bodies, const lens& by) const;
   void paint_handle(QPainter& painter, const laid_handle& one, bool marked) const;
   void paint_snap(QPainter& painter, const drawn_handles& what, const lens& by) const;
   void paint_words(QPainter& painter, QPointF beside, const QString& words) const;

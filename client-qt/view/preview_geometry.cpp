@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/box.hpp"
+
 namespace tedit::desktop {
 
 namespace {
@@ -30,23 +32,56 @@ corners corners_of(const client::surface_model& surface, const client::surface_f
           *surface.positions().find(facet.v[2])};
 }
 
-/// Distances to a surface.
+/// From corner to corner of the box around a surface, m.
+double size_of(const client::surface_model& surface) {
+  box all;
+  surface.facets().for_each([&](std::uint32_t, const client::surface_facet& facet) {
+    for (const auto& p : corners_of(surface, facet))
+      all.add(p);
+  });
+  return norm(all.high - all.low);
+}
+
+double longest_edge(const corners& at) {
+  return std::max({norm(at[1] - at[0]), norm(at[2] - at[1]), norm(at[0] - at[2])});
+}
+
+/// How far off the middle of a facet and of its edges may be, m.
+double most_off(const corners& at, double size) {
+  return std::max(vertex_tolerance * size, bulge_tolerance * longest_edge(at));
+}
+
+/// Distances to a surface, for facets in a place: what lies further off than these may is left out.
 class nearness {
 public:
-  explicit nearness(const client::surface_model& surface) {
+  nearness(const client::surface_model& surface, const std::vector<corners>& asked)
+      : size_(size_of(surface)) {
+    box place;
+    double most = 0;
+    for (const auto& at : asked) {
+      most = std::max(most, most_off(at, size_));
+      for (const auto& p : at)
+        place.add(p);
+    }
+    place = place.grown(1.01 * most);
     vtkNew<vtkPoints> points;
     points->SetDataTypeToDouble();
     vtkNew<vtkCellArray> triangles;
     surface.facets().for_each([&](std::uint32_t, const client::surface_facet& facet) {
+      const auto at = corners_of(surface, facet);
+      if (!place.meets(box_of(at)))
+        return;
       std::array<vtkIdType, 3> ids{};
-      std::ranges::transform(corners_of(surface, facet), ids.begin(),
+      std::ranges::transform(at, ids.begin(),
                              [&](const vec3& p) { return points->InsertNextPoint(p.x, p.y, p.z); });
       triangles->InsertNextCell(3, ids.data());
     });
+    is_empty_ = triangles->GetNumberOfCells() == 0;
+    if (is_empty_)
+      return;
     mesh_->SetPoints(points);
     mesh_->SetPolys(triangles);
     mesh_->BuildCells();
-    size_ = mesh_->GetLength();
     locator_->SetDataSet(mesh_);
     locator_->BuildLocator();
   }
@@ -56,10 +91,7 @@ public:
     for (const auto& p : at)
       if (distance(p) > vertex_tolerance * size_)
         return false;
-    double longest = 0;
-    for (int k = 0; k < 3; ++k)
-      longest = std::max(longest, norm(at[(k + 1) % 3] - at[k]));
-    const double most = std::max(vertex_tolerance * size_, bulge_tolerance * longest);
+    const double most = most_off(at, size_);
     if (distance((at[0] + at[1] + at[2]) / 3) > most)
       return false;
     for (int k = 0; k < 3; ++k)
@@ -70,6 +102,8 @@ public:
 
 private:
   double distance(const vec3& from) {
+    if (is_empty_)
+      return size_;
     std::array<double, 3> at{from.x, from.y, from.z};
     std::array<double, 3> closest{};
     vtkIdType cell = -1;
@@ -83,6 +117,7 @@ private:
   vtkNew<vtkStaticCellLocator> locator_;
   vtkNew<vtkGenericCell> scratch_;
   double size_ = 0;
+  bool is_empty_ = false;
 };
 
 /// The facets of `surface` that `other` does not have in the same slot at the same place.
@@ -103,7 +138,10 @@ std::shared_ptr<const part_geometry> off(const client::surface_model& surface,
   auto facets = unlike(surface, other);
   if (facets.empty())
     return nullptr;
-  nearness there(other);
+  std::vector<corners> places;
+  for (const auto& facet : facets)
+    places.push_back(corners_of(surface, facet));
+  nearness there(other, places);
   std::erase_if(facets, [&](const auto& f) { return there.holds(corners_of(surface, f)); });
   if (facets.empty())
     return nullptr;

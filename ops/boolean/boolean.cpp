@@ -71,11 +71,7 @@ public:
   }
 
   expected<boolean_result> best() {
-    std::vector<surface_id> moved;
-    for (const auto& id : continues_)
-      if (id)
-        moved.push_back(*id);
-    const cavity_finder finder(*mesh_, flush_.tool, request_.mode, near_, moved);
+    const auto finder = make_finder();
     // Somebody waits: a large tool is tried fewer times. Not by the clock: the same edit gives the
     // same version everywhere.
     const std::size_t tries = flush_.tool.triangles.size() > many_triangles ? 2 : ways.size();
@@ -117,7 +113,56 @@ public:
     return std::move(*best);
   }
 
+  expected<boolean_result> draft() {
+    const auto cut = cut_open(make_finder(), ways.front(), run_);
+    if (!cut)
+      return fail(cut.error());
+    auto builder = begin();
+    auto made = replace_cavity(builder, cut->hollow, cut->surface, flush_.tool, filling::fan, run_);
+    if (!made)
+      return fail(made.error());
+    if (builder.tet_count() == 0)
+      return fail(ec::empty_selection, "nothing of the part would be left");
+    boolean_result result;
+    result.candidate = builder.freeze();
+    result.touched = builder.touched();
+    result.volume_change = boundary_volume_change(*mesh_, *result.candidate);
+    name_surfaces(result, std::move(made->surfaces));
+    return result;
+  }
+
 private:
+  /// The part taken apart where the tool is: what goes, and the surface that its tets leave.
+  struct cut_part {
+    cavity hollow;
+    corefined cut;
+    labelled_surface surface;
+  };
+
+  [[nodiscard]] cavity_finder make_finder() const {
+    std::vector<surface_id> moved;
+    for (const auto& id : continues_)
+      if (id)
+        moved.push_back(*id);
+    return {*mesh_, flush_.tool, request_.mode, near_, moved};
+  }
+
+  /// With the surfaces that faces of the tool continue, which may have gone.
+  [[nodiscard]] mesh_builder begin() const {
+    mesh_builder builder(mesh_);
+    for (std::size_t i = 0; i < continues_.size(); ++i)
+      if (continues_[i])
+        builder.restore_surface(*continues_[i], flush_.tool.names[i]);
+    return builder;
+  }
+
+  void name_surfaces(boolean_result& result, std::vector<std::optional<surface_id>>&& made) const {
+    result.surfaces = std::move(made);
+    for (std::size_t i = 0; i < continues_.size(); ++i)
+      if (continues_[i])
+        result.surfaces[i] = continues_[i];
+  }
+
   /// All facets that anything of the boolean looks at, ascending.
   void find_near(const tool_surface& tool) {
     box extent;
@@ -144,13 +189,12 @@ private:
     return kept(one) > kept(other);
   }
 
-  expected<boolean_result> try_way(const cavity_finder& finder, const way& how,
-                                   const execution& run) {
-    const auto hollow = finder.find(how.rings);
+  expected<cut_part> cut_open(const cavity_finder& finder, const way& how, const execution& run) {
+    auto hollow = finder.find(how.rings);
     if (!hollow)
       return fail(hollow.error());
     run.report(0.2, "cutting");
-    const auto cut = hollow->tets.empty() ? expected<corefined>(corefined{}) : cut_of(*hollow, run);
+    auto cut = hollow->tets.empty() ? expected<corefined>(corefined{}) : cut_of(*hollow, run);
     if (!cut)
       return fail(cut.error());
     if (!hollow->tets.empty() && changes_nothing(*hollow, *cut))
@@ -160,16 +204,25 @@ private:
                                  size_, how.steps);
     if (!surface)
       return fail(surface.error());
-    const auto before = surface->mesh;
-    clean_surface(surface->mesh, how.clean, run.cancel);
+    return cut_part{std::move(*hollow), std::move(*cut), std::move(*surface)};
+  }
+
+  expected<boolean_result> try_way(const cavity_finder& finder, const way& how,
+                                   const execution& run) {
+    auto part = cut_open(finder, how, run);
+    if (!part)
+      return fail(part.error());
+    auto& surface = part->surface;
+    const auto before = surface.mesh;
+    clean_surface(surface.mesh, how.clean, run.cancel);
     if (run.cancel.cancelled())
       return fail(ec::cancelled, "the edit was cancelled");
-    const double deviation = deviation_of(before, surface->mesh);
+    const double deviation = deviation_of(before, surface.mesh);
     if (deviation > std::max(request_.max_deviation, 2 * exact * size_))
       return fail(ec::mesher_failed, "the result would be off what was asked for by " +
                                        number_text(1e3 * deviation) + " mm");
     run.report(0.5, "meshing");
-    return filled(*hollow, *surface, *cut, deviation, run);
+    return filled(part->hollow, surface, part->cut, deviation, run);
   }
 
   [[nodiscard]] expected<corefined> cut_of(const cavity& hollow, const execution& run) const {
@@ -185,11 +238,8 @@ private:
 
   expected<boolean_result> filled(const cavity& hollow, const labelled_surface& surface,
                                   const corefined& cut, double deviation, const execution& run) {
-    mesh_builder builder(mesh_);
-    for (std::size_t i = 0; i < continues_.size(); ++i)
-      if (continues_[i])
-        builder.restore_surface(*continues_[i], flush_.tool.names[i]);
-    auto made = replace_cavity(builder, hollow, surface, flush_.tool, run);
+    auto builder = begin();
+    auto made = replace_cavity(builder, hollow, surface, flush_.tool, filling::tets, run);
     if (!made)
       return fail(made.error());
     if (builder.tet_count() == 0)
@@ -205,10 +255,7 @@ private:
       result = frozen(builder);
     }
     result.deviation = deviation;
-    result.surfaces = std::move(made->surfaces);
-    for (std::size_t i = 0; i < continues_.size(); ++i)
-      if (continues_[i])
-        result.surfaces[i] = continues_[i];
+    name_surfaces(result, std::move(made->surfaces));
     if (auto ok = volume_fits(hollow, cut, result); !ok)
       return fail(ok.error());
     return result;
@@ -321,14 +368,33 @@ expected<void> validate(const tool_surface& tool) {
   return {};
 }
 
-expected<boolean_result> combine_with_tool(const version_ptr& mesh, const tool_surface& tool,
-                                           const std::vector<std::optional<surface_id>>& continues,
-                                           const boolean_request& request, const execution& run) {
+namespace {
+
+expected<void> validate(const tool_surface& tool,
+                        const std::vector<std::optional<surface_id>>& continues) {
   if (auto ok = validate(tool); !ok)
     return fail(ok.error());
   if (!continues.empty() && continues.size() != tool.names.size())
     return fail(ec::invalid_argument, "not each face of the tool is told what it continues");
+  return {};
+}
+
+}  // namespace
+
+expected<boolean_result> combine_with_tool(const version_ptr& mesh, const tool_surface& tool,
+                                           const std::vector<std::optional<surface_id>>& continues,
+                                           const boolean_request& request, const execution& run) {
+  if (auto ok = validate(tool, continues); !ok)
+    return fail(ok.error());
   return tool_boolean(mesh, tool, continues, request, run).best();
+}
+
+expected<boolean_result> draft_with_tool(const version_ptr& mesh, const tool_surface& tool,
+                                         const std::vector<std::optional<surface_id>>& continues,
+                                         const boolean_request& request, const execution& run) {
+  if (auto ok = validate(tool, continues); !ok)
+    return fail(ok.error());
+  return tool_boolean(mesh, tool, continues, request, run).draft();
 }
 
 }  // namespace tedit::ops

@@ -15,6 +15,16 @@ namespace tedit::ops {
   const std::vector<std::optional<surface_id>>& continues, const boolean_request& request,
   const execution& run);
 
+/// What of that is seen, sooner: the surface as the exact boolean leaves it, with the surfaces
+/// that it would have, the new ones maybe under each other's ids, and the change of volume. The
+/// cavity is filled with a fan from one point, so that the candidate is linked as any other, but
+/// its new tets overlap and their quality is not told: it is looked at and thrown away. Errors:
+/// those of the exact boolean; nothing is tried a second time.
+[[nodiscard]] expected<boolean_result> draft_with_tool(
+  const version_ptr& mesh, const tool_surface& tool,
+  const std::vector<std::optional<surface_id>>& continues, const boolean_request& request,
+  const execution& run);
+
 /// Errors: `invalid_argument` for a tool that is not closed, is turned inside out, or has numbers
 /// that are not finite.
 [[nodiscard]] expected<void> validate(const tool_surface& tool);

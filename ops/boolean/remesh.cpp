@@ -258,15 +258,29 @@ share_surface surface_of_share(const surface_mesh& mesh, std::int32_t share) {
   return result;
 }
 
+/// A tet from each triangle to the middle of the points.
+tet_filling fan_of(const closed_surface& shell) {
+  tet_filling result{shell.points, {}};
+  vec3 middle;
+  for (const auto& p : shell.points)
+    middle += p / static_cast<double>(shell.points.size());
+  result.points.push_back(middle);
+  const auto apex = static_cast<std::uint32_t>(shell.points.size());
+  for (const auto& t : shell.triangles)
+    result.tets.push_back({t[0], t[2], t[1], apex});
+  return result;
+}
+
 /// Fills the shares of a cavity, and says what has become of its surface.
 class cavity_filler {
 public:
   cavity_filler(mesh_builder& builder, const cavity& hollow, const labelled_surface& surface,
-                const tool_surface& tool)
+                const tool_surface& tool, filling how)
       : builder_(builder),
         hollow_(hollow),
         surface_(surface),
         tool_(tool),
+        how_(how),
         vertices_(surface.mesh.vertices.size(), no_id) {
     result_.surfaces.resize(tool.names.size());
     change_.removed = hollow.tets;
@@ -304,14 +318,15 @@ private:
     const auto shell = surface_of_share(surface_.mesh, share);
     if (shell.surface.triangles.empty())
       return {};
-    const auto filling = tetrahedralise_surface(shell.surface, run, 0);
-    if (!filling)
-      return fail(filling.error());
-    std::vector<vertex_id> vertices(filling->points.size());
+    const auto made = how_ == filling::fan ? expected<tet_filling>(fan_of(shell.surface))
+                                           : tetrahedralise_surface(shell.surface, run, 0);
+    if (!made)
+      return fail(made.error());
+    std::vector<vertex_id> vertices(made->points.size());
     for (std::size_t i = 0; i < vertices.size(); ++i)
-      vertices[i] = i < shell.vertex.size() ? vertex_of(shell.vertex[i])
-                                            : builder_.add_vertex(filling->points[i]);
-    for (const auto& t : filling->tets)
+      vertices[i] =
+        i < shell.vertex.size() ? vertex_of(shell.vertex[i]) : builder_.add_vertex(made->points[i]);
+    for (const auto& t : made->tets)
       change_.added.push_back({{{vertices[t[0]], vertices[t[1]], vertices[t[2]], vertices[t[3]]}},
                                hollow_.shares[share].region});
     return {};
@@ -351,6 +366,7 @@ private:
   const cavity& hollow_;
   const labelled_surface& surface_;
   const tool_surface& tool_;
+  filling how_;
   std::vector<vertex_id> vertices_;
   cavity_change change_;
   std::vector<interface_facet> interfaces_;
@@ -403,8 +419,8 @@ double deviation_of(const surface_mesh& before, const surface_mesh& after) {
 
 expected<replaced> replace_cavity(mesh_builder& builder, const cavity& hollow,
                                   const labelled_surface& surface, const tool_surface& tool,
-                                  const execution& run) {
-  return cavity_filler(builder, hollow, surface, tool).replace(run);
+                                  filling how, const execution& run) {
+  return cavity_filler(builder, hollow, surface, tool, how).replace(run);
 }
 
 }  // namespace tedit::ops

@@ -51,6 +51,12 @@ struct labelled_surface {
 /// have not moved.
 [[nodiscard]] double deviation_of(const surface_mesh& before, const surface_mesh& after);
 
+/// What a cavity is filled with.
+enum class filling {
+  tets,  ///< By TetGen.
+  fan,   ///< A tet from each triangle to one point: linked, but inside out where it is not convex.
+};
+
 /// The cavity's tets and those that go are replaced by a filling of the surface, each region by its
 /// own. Returns the new tets, and the surface that each face of the tool became, if any of it is
 /// left. Errors: those of the mesher.
@@ -60,6 +66,7 @@ struct replaced {
 };
 [[nodiscard]] expected<replaced> replace_cavity(mesh_builder& builder, const cavity& hollow,
                                                 const labelled_surface& surface,
-                                                const tool_surface& tool, const execution& run);
+                                                const tool_surface& tool, filling how,
+                                                const execution& run);
 
 }  // namespace tedit::ops

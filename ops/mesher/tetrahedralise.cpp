@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <algorithm>
 #include <cstring>
-#include <map>
+#include <tuple>
+#include <utility>
 
 #include "base/child_process.hpp"
 #include "mesh/face_key.hpp"
@@ -90,18 +91,19 @@ expected<void> orient(tet_filling& filling, double least_quality) {
 class inside_only {
 public:
   inside_only(const closed_surface& shell, tet_filling& filling) : filling_(filling) {
-    for (const auto& triangle : shell.triangles)
-      shell_[make_face_key(triangle).v] = make_face_key(triangle).odd;
+    for (const auto& triangle : shell.triangles) {
+      const auto [corners, odd] = make_face_key(triangle);
+      shell_.push_back({corners, odd});
+    }
+    std::ranges::sort(shell_, {}, &wall::corners);
+    const auto again = std::ranges::unique(shell_, {}, &wall::corners);
+    shell_.erase(again.begin(), again.end());
   }
 
   expected<void> keep() {
-    join_faces();
-    std::size_t found = 0;
-    for (const auto& [key, at] : faces_)
-      found += shell_.contains(key);
-    if (found != shell_.size())
+    if (!join_faces())
       return fail(ec::mesher_failed, "the mesher did not keep the surface's triangles");
-    if (!find_sides())
+    if (has_gaps_ || !spread_sides())
       return fail(ec::mesher_failed, "the mesher left gaps");
     std::erase_if(filling_.tets, [&, i = std::size_t{0}](const auto&) mutable {
       return side_[i++] == side::outside;
@@ -113,58 +115,88 @@ private:
   enum class side : std::uint8_t { unknown, inside, outside };
   using key = std::array<vertex_id, 3>;
 
-  void join_faces() {
-    for (std::uint32_t i = 0; i < filling_.tets.size(); ++i)
-      for (int k = 0; k < 4; ++k)
-        faces_[make_face_key(as_tet(i), k).v].push_back(i);
-  }
+  struct wall {
+    key corners;
+    bool odd = false;
+  };
 
-  [[nodiscard]] tet as_tet(std::uint32_t i) const {
-    const auto& t = filling_.tets[i];
-    return {{t[0], t[1], t[2], t[3]}};
-  }
+  /// A tet's face; sorted by corners, the faces of two tets that meet stand beside each other.
+  struct tet_face {
+    key corners;
+    std::uint32_t tet = 0;
+    bool odd = false;
+  };
 
-  /// Inside where a tet's face looks as the shell's triangle does; on over faces that are none.
-  bool find_sides() {
-    side_.assign(filling_.tets.size(), side::unknown);
-    std::vector<std::uint32_t> open;
-    const auto set = [&](std::uint32_t i, side is) {
-      if (side_[i] == side::unknown) {
-        side_[i] = is;
-        open.push_back(i);
-      }
-      return side_[i] == is;
-    };
-    for (std::uint32_t i = 0; i < filling_.tets.size(); ++i)
+  [[nodiscard]] std::vector<tet_face> sorted_faces() const {
+    std::vector<tet_face> result;
+    result.reserve(4 * filling_.tets.size());
+    for (std::uint32_t i = 0; i < filling_.tets.size(); ++i) {
+      const auto& t = filling_.tets[i];
       for (int k = 0; k < 4; ++k) {
-        const auto face = make_face_key(as_tet(i), k);
-        const auto wall = shell_.find(face.v);
-        if (wall == shell_.end()) {
-          if (faces_[face.v].size() != 2)
-            return false;
-        } else if (!set(i, wall->second == face.odd ? side::inside : side::outside)) {
-          return false;
-        }
-      }
-    while (!open.empty()) {
-      const auto i = open.back();
-      open.pop_back();
-      for (int k = 0; k < 4; ++k) {
-        const auto face = make_face_key(as_tet(i), k);
-        if (shell_.contains(face.v))
-          continue;
-        for (const auto j : faces_[face.v])
-          if (!set(j, side_[i]))
-            return false;
+        const auto [corners, odd] = make_face_key(tet{{t[0], t[1], t[2], t[3]}}, k);
+        result.push_back({corners, i, odd});
       }
     }
-    return std::ranges::find(side_, side::unknown) == side_.end();
+    std::ranges::sort(result, {}, [](const auto& f) { return std::tie(f.corners, f.tet); });
+    return result;
+  }
+
+  /// Tets at the shell are inside where their face looks as the shell's triangle does; all others
+  /// are joined. False where a triangle of the shell is no tet's.
+  bool join_faces() {
+    side_.assign(filling_.tets.size(), side::unknown);
+    beside_.assign(4 * filling_.tets.size(), no_id);
+    std::vector<std::uint8_t> joined(filling_.tets.size());
+    const auto faces = sorted_faces();
+    auto next = shell_.begin();
+    std::size_t found = 0;
+    for (std::size_t first = 0, last = 0; first < faces.size(); first = last) {
+      const auto& corners = faces[first].corners;
+      while (last < faces.size() && faces[last].corners == corners)
+        ++last;
+      while (next != shell_.end() && next->corners < corners)
+        ++next;
+      if (next != shell_.end() && next->corners == corners) {
+        ++found;
+        for (auto i = first; i < last; ++i)
+          set(faces[i].tet, next->odd == faces[i].odd ? side::inside : side::outside);
+      } else if (last - first != 2) {
+        has_gaps_ = true;
+      } else {
+        for (const auto& [one, other] : {std::pair(first, first + 1), {first + 1, first}})
+          beside_[4 * faces[one].tet + joined[faces[one].tet]++] = faces[other].tet;
+      }
+    }
+    return found == shell_.size();
+  }
+
+  void set(std::uint32_t i, side is) {
+    if (side_[i] == side::unknown) {
+      side_[i] = is;
+      open_.push_back(i);
+    }
+    has_gaps_ |= side_[i] != is;
+  }
+
+  /// On over the faces that are none of the shell's. False where a tet would be on both sides, or
+  /// on none.
+  bool spread_sides() {
+    while (!open_.empty()) {
+      const auto i = open_.back();
+      open_.pop_back();
+      for (int k = 0; k < 4; ++k)
+        if (const auto other = beside_[4 * i + k]; other != no_id)
+          set(other, side_[i]);
+    }
+    return !has_gaps_ && std::ranges::find(side_, side::unknown) == side_.end();
   }
 
   tet_filling& filling_;
-  std::map<key, bool> shell_;
-  std::map<key, std::vector<std::uint32_t>> faces_;
+  std::vector<wall> shell_;  ///< By corners.
   std::vector<side> side_;
+  std::vector<std::uint32_t> beside_;  ///< Four to a tet: those that it meets.
+  std::vector<std::uint32_t> open_;
+  bool has_gaps_ = false;
 };
 
 }  // namespace

@@ -7,7 +7,7 @@ namespace tedit::ops {
 
 namespace {
 
-class host_services final : public services {
+class host_services : public services {
 public:
   expected<tet_filling> tetrahedralise(const closed_surface& shell, const execution& run) override {
     return tetrahedralise_surface(shell, run);
@@ -30,10 +30,29 @@ public:
   }
 };
 
+class draft_services final : public host_services {
+public:
+  expected<boolean_result> boolean(const version_ptr& mesh, const tool_surface& tool,
+                                   const boolean_request& request, const execution& run) override {
+    return draft_with_tool(mesh, tool, {}, request, run);
+  }
+
+  expected<boolean_result> boolean_onto(const version_ptr& mesh, const tool_surface& tool,
+                                        const std::vector<std::optional<surface_id>>& continues,
+                                        const boolean_request& request,
+                                        const execution& run) override {
+    return draft_with_tool(mesh, tool, continues, request, run);
+  }
+};
+
 }  // namespace
 
 std::unique_ptr<services> make_host_services() {
   return std::make_unique<host_services>();
+}
+
+std::unique_ptr<services> make_draft_services() {
+  return std::make_unique<draft_services>();
 }
 
 }  // namespace tedit::ops

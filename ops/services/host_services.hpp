@@ -11,6 +11,10 @@ namespace tedit::ops {
 /// booleans.
 [[nodiscard]] std::unique_ptr<services> make_host_services();
 
+/// The same for what is only looked at while a value is dragged: booleans are drafts
+/// (`draft_with_tool`).
+[[nodiscard]] std::unique_ptr<services> make_draft_services();
+
 /// `services::triangulate`, in its own .cpp.
 [[nodiscard]] expected<planar_filling> triangulate_polygon(const planar_polygon& polygon,
                                                            double spacing);

@@ -2,27 +2,13 @@
 #include "ops/tools/hole.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <utility>
+
+#include "base/metric_threads.hpp"
 
 namespace tedit::ops {
 
 namespace {
-
-constexpr std::array<std::pair<const char*, double>, 13> cores{{{"M2", 1.6e-3},
-                                                                {"M2.5", 2.05e-3},
-                                                                {"M3", 2.5e-3},
-                                                                {"M4", 3.3e-3},
-                                                                {"M5", 4.2e-3},
-                                                                {"M6", 5.0e-3},
-                                                                {"M8", 6.8e-3},
-                                                                {"M10", 8.5e-3},
-                                                                {"M12", 10.2e-3},
-                                                                {"M14", 12.0e-3},
-                                                                {"M16", 14.0e-3},
-                                                                {"M20", 17.5e-3},
-                                                                {"M24", 21.0e-3}}};
 
 /// How deep the widened mouth reaches, m.
 double mouth_of(const drill_shape& s) {
@@ -89,16 +75,13 @@ std::vector<section_point> section_of(const drill_shape& s, double above, double
 }  // namespace
 
 std::optional<double> thread_core(const std::string& thread) {
-  for (const auto& [name, core] : cores)
-    if (thread == name)
-      return core;
-  return std::nullopt;
+  return metric_thread_core(thread);
 }
 
 std::vector<std::string> threads() {
   std::vector<std::string> result{"none"};
-  for (const auto& [name, core] : cores)
-    result.emplace_back(name);
+  for (const auto& thread : metric_threads)
+    result.emplace_back(thread.name);
   return result;
 }
 

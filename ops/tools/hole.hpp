@@ -17,7 +17,7 @@ struct drill_shape {
 };
 
 /// The core diameter (m) of an ISO metric coarse thread, "M6": what is drilled before it is cut.
-/// Nothing for what is none. Source: ISO 2306, tap drills of coarse pitches.
+/// Nothing for what is none.
 [[nodiscard]] std::optional<double> thread_core(const std::string& thread);
 /// "none" and all threads known, for a choice.
 [[nodiscard]] std::vector<std::string> threads();

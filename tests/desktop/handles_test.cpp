@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Handles of a form: which there are, where they lie, what a drag makes of a value. All numbers by
 // hand: a pixel of these lenses is a tenth of a millimetre.
+#include <numbers>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -356,6 +358,91 @@ TEST(ToolGhost, IsACylinderOfDiameterAndDepth) {
   values["relief_diameter"] = 0.02;
   values["relief_depth"] = 0.001;
   EXPECT_EQ(ghost_of(plan_of(burr_tool()), values, on_top()).size(), 2U);
+}
+
+/// The 48-gon's area at radius 1.
+const double gon = 24 * std::sin(std::numbers::pi / 24);
+
+/// Of a body between two regular polygons of 48 corners, or a polygon and a point: the
+/// prismatoid's.
+double volume_of(const ghost_body& body) {
+  const auto radius = [](const std::vector<vec3>& rim) {
+    return rim.size() == 1 ? 0 : std::hypot(rim[0].x, rim[0].y);
+  };
+  const double a = radius(body.bottom);
+  const double b = radius(body.top);
+  const double height = std::abs(body.top[0].z - body.bottom[0].z);
+  return gon * height * (a * a + a * b + b * b) / 3;
+}
+
+double volume_of(const std::vector<ghost_body>& bodies) {
+  double sum = 0;
+  for (const auto& body : bodies)
+    sum += volume_of(body);
+  return sum;
+}
+
+ops::parameter_description angle_parameter(const char* id) {
+  return parameter(id, id, real, "rad");
+}
+
+TEST(ToolGhost, OfACountersunkHoleWithATipHasItsVolume) {
+  auto about = burr_tool();
+  about.parameters.push_back(parameter("sink_diameter", "Sink", real, "m"));
+  about.parameters.push_back(angle_parameter("sink_angle"));
+  about.parameters.push_back(angle_parameter("tip_angle"));
+  const auto plan = plan_of(about);
+  // 6 mm and 12 mm deep, a sink of 12 mm and 90 degrees, a tip of 2 atan(3/2): 2 mm high.
+  auto values = burr_values(0.006, 0.012);
+  values["sink_diameter"] = 0.012;
+  values["sink_angle"] = std::numbers::pi / 2;
+  values["tip_angle"] = 2 * std::atan(1.5);
+  const auto bodies = ghost_of(plan, values, on_top());
+
+  ASSERT_EQ(bodies.size(), 3U) << "the sink, the bore below it, the tip";
+  // In mm: a frustum of radii 6 and 3 and 3 high, a cylinder of 9, a cone of 2.
+  EXPECT_NEAR(1e9 * volume_of(bodies), gon * (63 + 81 + 6), 1e-9);
+  EXPECT_NEAR(bodies[0].top[0].z, -0.003, 1e-15);
+  ASSERT_EQ(bodies[2].top.size(), 1U);
+  EXPECT_NEAR(bodies[2].top[0].z, -0.014, 1e-15);
+
+  values["tool_depth"] = 0.0;
+  EXPECT_EQ(ghost_of(plan, values, on_top()).size(), 2U) << "a hole through has no tip";
+}
+
+TEST(ToolGhost, OfACounterboreIsAStepAndOfAThreadItsCore) {
+  auto about = burr_tool();
+  auto thread = parameter("thread", "For a thread", choice);
+  thread.choices = {"none", "M5", "M6"};
+  about.parameters.push_back(thread);
+  auto values = burr_values(0.02, 0.010);
+  values["relief_diameter"] = 0.010;
+  values["relief_depth"] = 0.004;
+  values["thread"] = std::string("M6");
+  const auto bodies = ghost_of(plan_of(about), values, on_top());
+
+  // M6 is drilled with 5 mm. 4 mm of radius 5, 6 mm of 2.5.
+  ASSERT_EQ(bodies.size(), 2U);
+  EXPECT_NEAR(1e9 * volume_of(bodies), gon * (100 + 37.5), 1e-9);
+  values["thread"] = std::string("none");
+  EXPECT_NEAR(ghost_of(plan_of(about), values, on_top())[0].bottom[0].x, 0.01, 1e-12);
+}
+
+TEST(ToolGhost, OfATextIsABoxOfItsLength) {
+  ops::operation_description d;
+  d.parameters = {parameter("at", "Place", point, "m"), parameter("text", "Text", text),
+                  parameter("size", "Letter height", real, "m"),
+                  parameter("height", "Height", real, "m")};
+  const auto plan = plan_of(d);
+  ops::parameters values{{"text", std::string("TEdit")}, {"size", 0.01}, {"height", -0.001}};
+  const auto bodies = ghost_of(plan, values, on_top());
+
+  ASSERT_EQ(bodies.size(), 1U);
+  EXPECT_NEAR(bodies[0].bottom[2].x, 0.0215, 1e-12) << "half of five letters of 8.6 mm";
+  EXPECT_NEAR(bodies[0].bottom[2].y, 0.005, 1e-12);
+  EXPECT_NEAR(bodies[0].top[0].z, -0.001, 1e-12) << "sunk";
+  values["file"] = std::string("a logo");
+  EXPECT_THAT(ghost_of(plan, values, on_top()), IsEmpty());
 }
 
 TEST(ToolGhost, OfAPlaneIsASquareThatIsMovedAgainstItsNormal) {

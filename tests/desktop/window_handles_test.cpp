@@ -213,6 +213,38 @@ TEST_F(Handles, PreviewsFollowWhileThePointerNeverRests) {
   ASSERT_TRUE(wait([&] { return shows_preview(); }));
 }
 
+TEST_F(Handles, DraftsAreShownWhileItIsDraggedAndTheWholePreviewAfterwards) {
+  open_block("drill", top);
+  form().set_values({{"depth", 0.005}});
+  ASSERT_TRUE(wait([&] { return shows_preview(); }));
+  ASSERT_FALSE(preview().shown()->made.draft);
+  const auto arrow = handle_of("depth");
+  const lens by = lens_of(view());
+  const QPointF way = by.to_screen(arrow.root + 0.003 * arrow.along) - by.to_screen(arrow.root);
+  press_at(arrow.knob);
+  const auto shows_draft = [&] { return preview().shown() && preview().shown()->made.draft; };
+  int i = 0;
+  ASSERT_TRUE(wait([&] {
+    move(arrow.knob + (0.5 + 0.5 * std::sin(0.1 * ++i)) * way);
+    return shows_draft();
+  }));
+  EXPECT_EQ(preview().shown()->made.tets, 0U);
+  // The pointer is held still: the whole one comes.
+  ASSERT_TRUE(wait([&] { return preview().shown() && !shows_draft() && !preview().is_busy(); }));
+  ASSERT_TRUE(wait([&] {
+    move(arrow.knob + (0.5 + 0.5 * std::sin(0.1 * ++i)) * way);
+    return shows_draft();
+  }));
+  release_at(arrow.knob + way);
+  ASSERT_TRUE(wait([&] { return shows_preview(); }));
+  EXPECT_FALSE(preview().shown()->made.draft);
+  EXPECT_GT(preview().shown()->made.tets, 0U);
+  const auto id = preview().shown()->surface->version_id();
+  press("apply");
+  ASSERT_TRUE(wait([&] { return version() == 1 && shows_head(); }));
+  EXPECT_EQ(part().head()->info.version_id, id);
+}
+
 TEST_F(Handles, WhatIsPointedAtIsMarkedAndNothingOfThePartUnderIt) {
   open_block("drill", top);
   std::optional<bool> over_part;

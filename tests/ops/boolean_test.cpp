@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <set>
+#include <tuple>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -102,6 +104,52 @@ TEST_F(Boolean, WhatSeveralHaveTouchedIsFoundAgain) {
   const auto report = check_edit(*block_, *both.candidate, claim);
   EXPECT_TRUE(report.ok()) << to_error(report).message;
   EXPECT_LT(claim.touched.size(), both.candidate->tet_count());
+}
+
+/// Of each surface in millionths, by its name and, where the part had it, its id.
+std::multiset<std::tuple<surface_id, std::string, long>> areas_of(const mesh_version& mesh) {
+  constexpr surface_id last_of_block = 6;
+  std::multiset<std::tuple<surface_id, std::string, long>> result;
+  for (const auto& row : mesh.surfaces()) {
+    double sum = 0;
+    for (const auto f : facets_of(mesh, std::array{row.id}))
+      sum += norm(area_vector(mesh, mesh.facet(f)));
+    result.insert({row.id <= last_of_block ? row.id : 0, row.name, std::lround(1e6 * sum)});
+  }
+  return result;
+}
+
+TEST_F(Boolean, ADraftHasTheWholeOnesSurfaces) {
+  const auto drafts = make_draft_services();
+  // Into the top, through, over an edge with flush faces, a void, and something that stands on it.
+  const std::vector<std::pair<tool_surface, boolean_mode>> tools{
+    {brick({0.3, 0.3, 0.6}, {0.4, 0.4, 0.7}), boolean_mode::cut},
+    {rod({0.4, 0.45, 0.3}, normalized({0.3, 0.2, 1}), 0.2, 2), boolean_mode::cut},
+    {brick({0, 0.3, 0.7}, {0.4, 0.4, 0.3}), boolean_mode::cut},
+    {brick({0.35, 0.35, 0.35}, {0.3, 0.3, 0.3}), boolean_mode::cut},
+    {brick({0.4, 0.4, 1}, {0.3, 0.3, 0.2}), boolean_mode::add},
+    {rod({0.5, 0.5, 0.5}, {0, 0, 1}, 0.3, 1), boolean_mode::keep}};
+  for (const auto& [tool, mode] : tools) {
+    const auto whole = made(block_, tool, mode);
+    const auto draft = drafts->boolean(block_, tool, {mode, 0}, {});
+    ASSERT_TRUE(draft) << render(draft.error());
+    EXPECT_NEAR(draft->volume_change, whole.volume_change, 1e-9);
+    EXPECT_EQ(boundary_components(*draft->candidate), boundary_components(*whole.candidate));
+    EXPECT_EQ(areas_of(*draft->candidate), areas_of(*whole.candidate));
+  }
+}
+
+TEST_F(Boolean, ADraftIsRefusedForToolsThatAreNoneOrMeetNothing) {
+  const auto drafts = make_draft_services();
+  const auto refused = [&](const tool_surface& tool) {
+    return drafts->boolean(block_, tool, {}, {}).error().code;
+  };
+  auto open = brick({0.3, 0.3, 0.6}, {0.4, 0.4, 0.7});
+  open.triangles.pop_back();
+  open.faces.pop_back();
+  EXPECT_EQ(refused(open), ec::invalid_argument);
+  EXPECT_EQ(refused(brick({3, 3, 3}, {1, 1, 1})), ec::empty_selection);
+  EXPECT_EQ(refused(brick({-1, -1, -1}, {3, 3, 3})), ec::empty_selection) << "nothing is left";
 }
 
 TEST_F(Boolean, AVoidInsideIsCutOut) {

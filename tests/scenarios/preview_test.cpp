@@ -130,6 +130,40 @@ TEST_F(Preview, TheEditTakesItOverAndIsTheSameAsOneWithout) {
   EXPECT_NE(plain.report->operation_ms, shown.report.operation_ms);
 }
 
+/// What is committed after drafts is what a preview-less edit makes.
+TEST_F(Preview, ADraftIsTheSurfaceAloneAndNoEditTakesItOver) {
+  begin(true);
+  const std::vector<surface_id> top{98};
+  const ops::parameters drill{{"diameter", 0.02}, {"depth", 0.01}};
+  const auto plain = value(user->edit("drill", top, drill, {}));
+  value(user->undo());
+  const auto ask = [&](client::preview_kind kind) {
+    return value(user->preview_edit("drill", top, drill, {}, {}, {}, kind));
+  };
+
+  const auto draft = ask(client::preview_kind::draft);
+  EXPECT_TRUE(draft.draft);
+  EXPECT_EQ(draft.tets, 0U);
+  EXPECT_FALSE(draft.report.ratios);
+  EXPECT_TRUE(draft.report.figures.empty());
+  EXPECT_NEAR(draft.report.volume_change, plain.report->volume_change, 1e-12);
+  EXPECT_FALSE(draft.report.surface_map.empty());
+  EXPECT_EQ(draft.load_cases.size(), plain.load_cases.size());
+  auto surface = user->surface();
+  value(surface.apply(draft.surface));
+  EXPECT_EQ(surface.total_facets(), draft.boundary_facets);
+
+  const auto made = value(user->edit("drill", top, drill, {}));
+  EXPECT_EQ(made.head.version_id, plain.head.version_id);
+  EXPECT_NE(made.head.version_id, draft.surface.version_id);
+  value(user->undo());
+  const auto whole = ask(client::preview_kind::whole);
+  EXPECT_FALSE(whole.draft);
+  EXPECT_FALSE(ask(client::preview_kind::draft).draft) << "the whole one is at hand";
+  EXPECT_EQ(value(user->edit("drill", top, drill, {})).report->operation_ms,
+            whole.report.operation_ms);
+}
+
 TEST_F(Preview, IsNotTakenOverForOtherValuesLoadsOrHeads) {
   begin(false);
   const auto shown = value(look({1, 2}));
@@ -165,7 +199,10 @@ TEST_F(Preview, IsRefusedAsTheEditIs) {
 TEST_F(Preview, LooksForTheMostThatWorksWhereItIsAskedTo) {
   begin(false);
   const auto too_deep = [&](bool find_most) {
-    return user->preview_edit("erode", {7}, {{"depth", 0.5}}, {}, {}, {}, find_most).error();
+    return user
+      ->preview_edit("erode", {7}, {{"depth", 0.5}}, {}, {}, {},
+                     find_most ? client::preview_kind::whole_or_most : client::preview_kind::whole)
+      .error();
   };
 
   const auto plain = too_deep(false);

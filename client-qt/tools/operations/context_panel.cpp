@@ -411,7 +411,7 @@ void context_panel::apply(bool sure) {
     return queue();
   if (!sure && !preview_.is_busy() && preview_.refusal())
     return;  // It says why beside the button.
-  const bool known = preview_.shown() && !preview_.is_busy();
+  const bool known = preview_.shown() && !preview_.shown()->made.draft && !preview_.is_busy();
   if (!sure && !known) {
     waits_ = true;
     if (!preview_.is_busy())

@@ -58,6 +58,8 @@ QString preview_figures(const client::edit_preview& made) {
   const auto& report = made.report;
   QString html = "<table>";
   html += table_row(preview_box_phrases::tr("Volume"), change_by(report.volume_change, "m3"));
+  if (made.draft)
+    return html + "</table>";
   html += table_row(
     preview_box_phrases::tr("Tets"),
     preview_box_phrases::tr("%1 (%2 new, %3 gone)")
@@ -152,6 +154,8 @@ QString preview_box::state() const {
   if (preview_.is_busy())
     return preview_.stage().isEmpty() ? tr("Making the preview")
                                       : tr("Making the preview: %1").arg(preview_.stage());
+  if (preview_.shown() && preview_.shown()->made.draft)
+    return tr("Its shape alone, as while it was dragged: ask for the preview, or apply it.");
   if (preview_.shown())
     return tr("Not applied. Orange: new. Blue: taken away. Made in %1.")
       .arg(duration(preview_.took_ms()));
@@ -167,9 +171,9 @@ void preview_box::refresh() {
   const auto words = state();
   state_->setText(words);
   state_->setVisible(!words.isEmpty());
-  now_->setVisible(preview_.has_wish() && !preview_.is_busy() && !preview_.shown() &&
-                   !preview_.refusal() && (preview_.is_slow() || !preview_.is_on()));
   const auto& shown = preview_.shown();
+  now_->setVisible(preview_.has_wish() && !preview_.is_busy() && (!shown || shown->made.draft) &&
+                   !preview_.refusal() && (preview_.is_slow() || !preview_.is_on()));
   for (auto* one : {figures_, more_}) {
     one->setVisible(shown != nullptr);
     one->setEnabled(!preview_.is_busy());  // Of the values before.

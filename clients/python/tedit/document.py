@@ -135,14 +135,16 @@ class Document:
         *,
         loads: PolicyLike = "drop",
         find_most: bool = False,
+        draft: bool = False,
         expected_version: str = "",
         cancel: CancelToken | None = None,
     ) -> Preview:
         """What such an edit would make of the head; nothing is changed. Raises `Superseded` when the document is
-        changed, or another preview is asked for, meanwhile."""
+        changed, or another preview is asked for, meanwhile. A `draft` has the surface, the loads and the change of volume alone,
+        several times sooner; the edit may be refused all the same."""
         body = self._edit_body(operation, surfaces, parameters, loads)
         body.expected_version = expected_version
-        answer = self._ask("preview_edit", session.PreviewEdit(edit=body, find_most=find_most), cancel=cancel, quick=False)
+        answer = self._ask("preview_edit", session.PreviewEdit(edit=body, find_most=find_most, draft=draft), cancel=cancel, quick=False)
         return Preview(answer.body, answer.arrays)
 
     def select(

@@ -151,16 +151,18 @@ export class Document {
 
   /**
    * What such an edit would make of the head; nothing is changed. Throws `Superseded` when the document is changed, or
-   * another preview is asked for, meanwhile.
+   * another preview is asked for, meanwhile. A `draft` has the surface, the loads and the change of volume alone,
+   * several times sooner; the edit may be refused all the same.
    */
   async preview(
     operation: string,
     surfaces: Iterable<SurfaceId>,
     parameters: Parameters = {},
-    options: EditOptions & { findMost?: boolean } = {},
+    options: EditOptions & { findMost?: boolean; draft?: boolean } = {},
   ): Promise<Preview> {
     const edit = this.describeEdit(operation, surfaces, parameters, options);
-    const { value, arrays } = await this.ask({ case: "previewEdit", value: { edit, findMost: options.findMost ?? false } }, "editPreview", options);
+    const { findMost = false, draft = false } = options;
+    const { value, arrays } = await this.ask({ case: "previewEdit", value: { edit, findMost, draft } }, "editPreview", options);
     return new Preview(value, arrays);
   }
 
