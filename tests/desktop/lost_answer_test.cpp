@@ -24,6 +24,7 @@ protected:
     });
     far.start();
     ASSERT_TRUE(wait([&] { return !address.url.isEmpty(); }));
+    direct = address;
     const auto port = QUrl(address.url).port();
     line = std::make_unique<test::slow_proxy>(
       static_cast<std::uint16_t>(port),
@@ -53,10 +54,18 @@ protected:
            link.running() == 0 && link.current() == remote::state::connected;
   }
 
-  [[nodiscard]] std::size_t versions() {
+  [[nodiscard]] std::size_t versions() { return versions(link, {}); }
+
+  /// @param name of a document that this connection has not opened yet.
+  [[nodiscard]] static std::size_t versions(remote& by, const std::string& name) {
     std::size_t count = 0;
-    link.run<client::history>(
-      [](client::client& c, const execution&) { return c.get_history(); },
+    by.run<client::history>(
+      [name](client::client& c, const execution&) -> expected<client::history> {
+        if (!name.empty())
+          if (const auto opened = c.open(name, false, false); !opened)
+            return fail(opened.error());
+        return c.get_history();
+      },
       [&](expected<client::history> all) { count = all ? all->versions.size() : 99; });
     EXPECT_TRUE(wait([&] { return count > 0; }));
     return count;
@@ -71,6 +80,7 @@ protected:
   remote link;
   document part{link};
   server_address address;
+  server_address direct;  ///< The same, without the line that breaks.
   std::unique_ptr<test::slow_proxy> line;
   QString failures;
 };
@@ -88,18 +98,28 @@ TEST_F(LostAnswer, AnEditThatNeverArrivedIsMadeOnTheNextConnection) {
 }
 
 TEST_F(LostAnswer, AnEditWhoseAnswerWasLostIsNotMadeTwice) {
-  // The server hears of it; what it says comes to a line that has broken.
+  remote beside;
+  beside.connect_to(direct);
+  ASSERT_TRUE(wait([&] { return beside.current() == remote::state::connected; }));
+  const auto document = part.name().toStdString();
+  // The server hears of it; what it says from then on stays in a line that breaks later.
   QObject::connect(&part.foreground(), &foreground_work::changed, &link, [this] {
     if (part.foreground().current() && !part.foreground().current()->stage.isEmpty())
-      line->cut(false);
+      line->stall(true);
   });
   part.edits().apply({"fill_hole", {1, 2}, {}});
+  ASSERT_TRUE(wait([&] { return versions(beside, document) == 2; })) << "it is not made";
+  EXPECT_FALSE(is_at(1)) << "the answer came";
+  QObject::disconnect(&part.foreground(), &foreground_work::changed, &link, nullptr);
+  line->cut(false);
+  line->stall(false);
 
   ASSERT_TRUE(wait([&] { return is_at(1); })) << failures.toStdString();
   EXPECT_EQ(versions(), 2u);
   EXPECT_EQ(failures, "");
   part.edits().undo();
   ASSERT_TRUE(wait([&] { return is_at(0); })) << failures.toStdString();
+  beside.disconnect_now();
 }
 
 TEST_F(LostAnswer, WithoutAWayBackTheLossIsTold) {
