@@ -35,6 +35,10 @@ constexpr int most_rings = 6;
 constexpr int sweeps = 12;
 /// Chords shorter than this share of the local size are not halved.
 constexpr double least_halved = 0.7;
+/// Off a wall by more than this share of its radius is to be moved, or to be taken out where all
+/// of its faces stay in their planes by this share of the local size.
+constexpr double far_off = 1e-9;
+constexpr double in_plane = 1e-9;
 /// A vertex is on its walls where it is so near, as a share of their radius.
 constexpr double is_on = 1e-12;
 
@@ -48,9 +52,12 @@ public:
       was_.push_back(v.position);
     is_moved_.resize(was_.size());
     const double before = volume();
+    bool any_out = false;
+    for (std::uint32_t v = 0; v < is_moved_.size(); ++v)
+      any_out |= is_off(v) && take_out(v);
     for (std::uint32_t v = 0; v < is_moved_.size(); ++v)
       find_place(v);
-    if (moved_.empty() || !all_found_)
+    if ((moved_.empty() && !any_out) || !all_found_)
       return std::nullopt;
     take_along();
     turn_onto_walls();
@@ -91,6 +98,48 @@ private:
 
   static bool is_round(const std::vector<wall_demand>& demands) {
     return std::ranges::any_of(demands, [](const wall_demand& d) { return d.wall != nullptr; });
+  }
+
+  [[nodiscard]] bool is_off(std::uint32_t v) {
+    return is_new(v) && std::ranges::any_of(demands_at(v), [&](const wall_demand& d) {
+             return d.wall &&
+                    std::abs(d.wall->distance(at(v))) > far_off * d.wall->radius_at(at(v));
+           });
+  }
+
+  /// Contracts a vertex that its planes and edges do not need: so the tool's polygon stays as it
+  /// is.
+  bool take_out(std::uint32_t v) {
+    if (!may_slide(v))
+      return false;
+    const bool within = mesh_.freedom_of(v) == surface_mesh::freedom::face;
+    for (const auto w : mesh_.neighbours(v))
+      if ((within || mesh_.is_crease(v, w)) && mesh_.may_go(v, w) && stays_plane(v, w)) {
+        mesh_.merge(v, w);
+        return true;
+      }
+    return false;
+  }
+
+  /// Would all faces of u keep their planes, and a fair shape, with v in its place?
+  [[nodiscard]] bool stays_plane(std::uint32_t u, std::uint32_t v) const {
+    double before = 1;
+    double after = 1;
+    for (const auto f : mesh_.faces_at(u)) {
+      const auto& face = mesh_.faces[f];
+      before = std::min(before, mesh_.shape_of(face.v));
+      if (std::abs(dot(at(v) - at(u), face.normal)) > in_plane * mesh_.vertices[u].size)
+        return false;
+      auto t = face.v;
+      if (std::ranges::find(t, v) != t.end())
+        continue;
+      std::ranges::replace(t, u, v);
+      const vec3 n = mesh_.normal_of(t);
+      if (!(dot(n, face.normal) > askew_to_plane * norm(n)))
+        return false;
+      after = std::min(after, mesh_.shape_of(t));
+    }
+    return after >= std::min(before, good_shape);
   }
 
   void find_place(std::uint32_t v) {

@@ -145,19 +145,6 @@ TEST_F(VerticesOnWalls, ABarAcrossABoreEndsOnItsWall) {
   EXPECT_LT(furthest_off(*added.candidate, {bore_, bar}), 1e-12);
 }
 
-/// Of a pin this small more than a tenth would be what lies between the bore's chords and its arcs.
-TEST_F(VerticesOnWalls, ASmallPinLeavesTheChordsOfACoarseBore) {
-  const by_hand pin{"pin", {0.5, 0.31, 0.5}, {0, 1, 0}, 0.05};
-  const auto tool = rod(pin, 0.06, 24);
-  const auto part = bored();
-
-  const auto added = made(part, tool, boolean_mode::add);
-  const auto kept = made(part, tool, boolean_mode::keep);
-
-  EXPECT_NEAR(added.volume_change + total_volume(*kept.candidate),
-              enclosed_volume(tool.points, tool.triangles), 1e-9);
-}
-
 TEST_F(VerticesOnWalls, OnTurnedAndMovedPartsToo) {
   const frame f = make_frame({3.1, -2.7, 0.4}, normalized({0.3, -0.5, 0.8}));
   const auto place = [&](vec3 p) { return f.at(p.x, p.y, p.z); };
