@@ -194,6 +194,8 @@ private:
     auto made = filled(hollow, round->surface, cut, round->volume_change, deviation, run);
     if (made ? is_good(*made) : made.error().code != ec::mesher_failed)
       return made;
+    // Where it does not come out once it does not in other ways: each would be meshed twice.
+    walls_.reset();
     auto plain = filled(hollow, surface, cut, 0, deviation, run);
     return made && (!plain || !is_better(*plain, *made)) ? std::move(made) : std::move(plain);
   }
