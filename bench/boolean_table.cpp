@@ -2,7 +2,8 @@
 // Random tools on real parts: what services::boolean makes of them.
 // usage: bench_boolean MESH UNIT PER_KIND SEED [KIND ...]
 // A line an edit: part | kind | index | outcome or error | deviation / size | worst q before, after
-// | tets touched | ms; and a summary a kind.
+// | tets touched | new vertices at round walls, those off them by more than 1e-6 of the part's size
+// | ms; and a summary a kind.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -11,9 +12,10 @@
 #include <map>
 #include <numbers>
 #include <random>
+#include <set>
 
 #include "mesh/checks.hpp"
-#include "mesh/features/wall_shape.hpp"
+#include "mesh/features/exact_wall.hpp"
 #include "mesh/io/import.hpp"
 #include "mesh/quality.hpp"
 #include "ops/services/host_services.hpp"
@@ -162,12 +164,74 @@ private:
   double radius_ = 0;
 };
 
+/// New vertices at round walls, of the part and of the tool.
+struct at_round_walls {
+  std::size_t all = 0;
+  std::size_t off = 0;  ///< By more than 1e-6 of the part's size.
+};
+
+/// What is round by the corners that the part's surfaces, and the tool's faces, had before.
+std::map<surface_id, exact_wall> round_walls_of(const mesh_version& mesh, const tool_surface& tool,
+                                                const boolean_result& made,
+                                                const std::set<surface_id>& wanted) {
+  std::map<surface_id, exact_wall> result;
+  const auto add = [&](surface_id id, const facet_corners& corners) {
+    if (const auto wall = fit_exact(corners); wall && !wall->flat())
+      if (wall->sphere_radius > 0 || gaps_around(wall->shape, corners.points)[1] < 0.96)
+        result.emplace(id, *wall);
+  };
+  for (const auto id : wanted)
+    if (mesh.find_surface(id))
+      add(id, corners_of(mesh, facets_of(mesh, std::array{id})));
+  for (std::size_t face = 0; face < made.surfaces.size(); ++face) {
+    facet_corners corners;
+    for (std::size_t i = 0; i < tool.triangles.size(); ++i)
+      if (tool.faces[i] == face) {
+        const auto n = static_cast<std::uint32_t>(corners.points.size());
+        for (const auto v : tool.triangles[i])
+          corners.points.push_back(tool.points[v]);
+        corners.triangles.push_back({n, n + 1, n + 2});
+      }
+    if (made.surfaces[face] && wanted.contains(*made.surfaces[face]))
+      add(*made.surfaces[face], corners);
+  }
+  return result;
+}
+
+at_round_walls count_at_walls(const mesh_version& mesh, const tool_surface& tool,
+                              const boolean_result& made) {
+  const auto& after = *made.candidate;
+  std::set<std::pair<vertex_id, surface_id>> fresh;
+  std::set<surface_id> wanted;
+  for (const auto t : made.touched)
+    for (const auto n : after.neighbours(t))
+      if (is_facet(n))
+        for (const auto v : after.facet(n & ~facet_flag).v)
+          if (v >= mesh.vertex_slots() || !mesh.is_live_vertex(v) ||
+              !(mesh.position(v) == after.position(v))) {
+            wanted.insert(after.facet(n & ~facet_flag).surface);
+            fresh.emplace(v, after.facet(n & ~facet_flag).surface);
+          }
+  const auto walls = round_walls_of(mesh, tool, made, wanted);
+  const auto extent = extent_of(mesh);
+  at_round_walls result;
+  for (const auto& [v, id] : fresh)
+    if (const auto wall = walls.find(id); wall != walls.end()) {
+      ++result.all;
+      result.off +=
+        std::abs(wall->second.distance(after.position(v))) > 1e-6 * norm(extent.high - extent.low);
+    }
+  return result;
+}
+
 struct tally {
   int tried = 0;
   int done = 0;
   int good = 0;
   int exact = 0;
   int invalid = 0;
+  int on_walls = 0;  ///< Edits of which no new vertex is off a round wall.
+  at_round_walls vertices;
   std::vector<double> ms;
   std::map<std::string, int> errors;
 };
@@ -204,10 +268,14 @@ void one(const version_ptr& mesh, const std::string& part, const std::string& ki
   const auto report = check_edit(*mesh, *made->candidate, claim);
   const bool whole = i % 10 != 0 || check_version(*made->candidate).total <= faults;
   const bool good = made->worst_after >= std::min(0.1, made->worst_before);
-  std::printf("%s|%s|%d|%s|%.1e|%.3f %.3f|%zu|%.0f\n", part.c_str(), kind.c_str(), i,
+  const auto at_walls = count_at_walls(*mesh, where->tool, *made);
+  sum.vertices.all += at_walls.all;
+  sum.vertices.off += at_walls.off;
+  sum.on_walls += at_walls.off == 0;
+  std::printf("%s|%s|%d|%s|%.1e|%.3f %.3f|%zu|%zu %zu|%.0f\n", part.c_str(), kind.c_str(), i,
               report.ok() && whole ? "ok" : to_error(report).message.c_str(),
               made->deviation / size, made->worst_before, made->worst_after, made->touched.size(),
-              ms);
+              at_walls.all, at_walls.off, ms);
   ++sum.done;
   sum.good += good;
   sum.exact += made->deviation <= 2e-4 * size;
@@ -238,9 +306,11 @@ int run(int argc, char** argv) {
     const auto at = [&](double share) {
       return sum.ms.empty() ? 0 : sum.ms[static_cast<std::size_t>(share * (sum.ms.size() - 1))];
     };
-    std::printf("= %s %s: done %d of %d, invalid %d, q kept %d, exact %d, ms %.0f / %.0f\n",
-                part.c_str(), kind.c_str(), sum.done, sum.tried, sum.invalid, sum.good, sum.exact,
-                at(0.5), at(0.9));
+    std::printf(
+      "= %s %s: done %d of %d, invalid %d, q kept %d, exact %d, on round walls %d (of %zu new "
+      "vertices there %zu off), ms %.0f / %.0f\n",
+      part.c_str(), kind.c_str(), sum.done, sum.tried, sum.invalid, sum.good, sum.exact,
+      sum.on_walls, sum.vertices.all, sum.vertices.off, at(0.5), at(0.9));
     for (const auto& [message, count] : sum.errors)
       std::printf("=   %d x %s\n", count, message.c_str());
     std::fflush(stdout);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// bench_cad CAD_FILE MESH UNIT FEATURES.json [SEED [new]]: edits of a part on its mesh and on its
-// CAD model. Each listed hole filled; both walls of each listed plate taken down and put on by 1 mm
-// (or a tenth of the plate); edges of random walls rounded, holes drilled into random flat walls,
-// bores resized; holes moved, copied and mirrored, text, an SVG ring, a box from a file and ribs on
-// random flat walls, the part hollowed and cut in two; then all listed holes one after the other.
-// "new" after the seed: only what is in the line before. The mesh's surfaces must be the CAD file's
-// faces by their places. A line an edit: operation | surfaces | on the mesh | on the CAD model |
-// way | deviation mm | ms of both; then the reason, and a summary line an operation.
+// bench_cad CAD_FILE MESH UNIT FEATURES.json [SEED [new] [LABEL ...]]: edits of a part on its mesh
+// and on its CAD model. Each listed hole filled; both walls of each listed plate taken down and put
+// on by 1 mm (or a tenth of the plate); edges of random walls rounded, holes drilled into random
+// flat walls, bores resized; holes moved, copied and mirrored, text, an SVG ring, a box from a file
+// and ribs on random flat walls, the part hollowed and cut in two; then all listed holes one after
+// the other. "new" after the seed: only what is in the line before; labels: only these. The mesh's
+// surfaces must be the CAD file's faces by their places. A line an edit: operation | surfaces | on
+// the mesh | on the CAD model | way | deviation mm | ms of both; then the reason, and a summary
+// line an operation.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -15,6 +16,7 @@
 #include <fstream>
 #include <map>
 #include <random>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -45,12 +47,17 @@ struct tally {
 
 class cad_run {
 public:
-  explicit cad_run(state base) : base_(std::move(base)), plugins_(ops::load_default_catalogue()) {}
+  cad_run(state base, std::set<std::string> labels)
+      : base_(std::move(base)),
+        plugins_(ops::load_default_catalogue()),
+        labels_(std::move(labels)) {}
 
   [[nodiscard]] const state& base() const { return base_; }
 
   /// The state after it, or where the CAD model has it not the one before.
   state edit(const std::string& label, const state& from, const edit_request& wanted) {
+    if (!labels_.empty() && !labels_.contains(label))
+      return from;
     auto& sum = sums_[label];
     ++sum.tried;
     operation_place place;
@@ -98,6 +105,7 @@ public:
 private:
   state base_;
   ops::catalogue plugins_;
+  std::set<std::string> labels_;  ///< None: all.
   std::map<std::string, tally> sums_;
 };
 
@@ -298,7 +306,8 @@ void run_features(cad_run& run, const nlohmann::json& features, std::uint64_t se
 int main(int argc, char** argv) try {
   using namespace tedit;
   if (argc < 5) {
-    std::fprintf(stderr, "usage: bench_cad CAD_FILE MESH UNIT FEATURES.json [SEED [new]]\n");
+    std::fprintf(stderr,
+                 "usage: bench_cad CAD_FILE MESH UNIT FEATURES.json [SEED [new] [LABEL ...]]\n");
     return 2;
   }
   auto model = cad::read_model({argv[1], "medium", {}}, {});
@@ -309,10 +318,12 @@ int main(int argc, char** argv) try {
   }
   std::ifstream in(argv[4]);
   const auto features = nlohmann::json::parse(in);
-  cad_run run({mesh->version, std::move(*model)});
+  const bool only_new = argc > 6 && std::string(argv[6]) == "new";
+  const int labels = only_new ? 7 : 6;
+  cad_run run({mesh->version, std::move(*model)}, {argv + std::min(argc, labels), argv + argc});
   const std::uint64_t seed = argc > 5 ? std::stoull(argv[5]) : 1;
   run_features(run, features, seed);
-  if (argc > 6 && std::string(argv[6]) == "new") {
+  if (only_new) {
     run.print_sums();
     return 0;
   }

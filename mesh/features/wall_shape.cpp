@@ -23,33 +23,33 @@ vec3 to_vec3(const Eigen::Vector3d& v) {
   return {v[0], v[1], v[2]};
 }
 
+using corners3 = std::array<std::uint32_t, 3>;
+
 struct cloud {
-  std::vector<vec3> points;
+  std::span<const vec3> points;
+  std::span<const corners3> triangles;
   vec3 centre;
   double size = 0;
   vec3 area;                                          ///< Sum of the area vectors.
   Eigen::Matrix3d normals = Eigen::Matrix3d::Zero();  ///< Area-weighted sum of n n^T.
+
+  [[nodiscard]] vec3 area_of(const corners3& t) const {
+    return area_vector(points[t[0]], points[t[1]], points[t[2]]);
+  }
 };
 
-cloud gather(const mesh_version& mesh, std::span<const facet_id> facets) {
-  cloud result;
-  std::vector<vertex_id> corners;
-  for (const auto f : facets) {
-    const auto& v = mesh.facet(f).v;
-    corners.insert(corners.end(), v.begin(), v.end());
-    const vec3 area = area_vector(mesh, mesh.facet(f));
+cloud gather(std::span<const vec3> points, std::span<const corners3> triangles) {
+  cloud result{points, triangles, {}, 0, {}};
+  for (const auto& t : triangles) {
+    const vec3 area = result.area_of(t);
     result.area += area;
     const vec3 n = normalized(area);
     const Eigen::Vector3d e(n.x, n.y, n.z);
     result.normals += norm(area) * e * e.transpose();
   }
-  std::ranges::sort(corners);
-  corners.erase(std::ranges::unique(corners).begin(), corners.end());
-  for (const auto v : corners) {
-    result.points.push_back(mesh.position(v));
-    result.centre += mesh.position(v) / static_cast<double>(corners.size());
-  }
-  for (const auto& p : result.points)
+  for (const auto& p : points)
+    result.centre += p / static_cast<double>(points.size());
+  for (const auto& p : points)
     result.size = std::max(result.size, norm(p - result.centre));
   return result;
 }
@@ -84,12 +84,10 @@ bool goes_round(const wall_shape& shape, const cloud& points) {
   return gaps.size() < 2 || std::cos(gaps[1]) >= widest_facet;
 }
 
-bool facets_are_narrow(const mesh_version& mesh, std::span<const facet_id> facets,
-                       const wall_shape& shape) {
-  return std::ranges::all_of(facets, [&](facet_id f) {
-    const auto& v = mesh.facet(f).v;
+bool facets_are_narrow(const cloud& points, const wall_shape& shape) {
+  return std::ranges::all_of(points.triangles, [&](const corners3& t) {
     for (int i = 0; i < 3; ++i)
-      if (dot(shape.normal(mesh.position(v[i])), shape.normal(mesh.position(v[(i + 1) % 3]))) <
+      if (dot(shape.normal(points.points[t[i]]), shape.normal(points.points[t[(i + 1) % 3]])) <
           widest_facet)
         return false;
     return true;
@@ -97,13 +95,11 @@ bool facets_are_narrow(const mesh_version& mesh, std::span<const facet_id> facet
 }
 
 /// On which side of the shape the material lies.
-double side_of(const mesh_version& mesh, std::span<const facet_id> facets,
-               const wall_shape& shape) {
+double side_of(const cloud& points, const wall_shape& shape) {
   double outward = 0;
-  for (const auto f : facets) {
-    const auto& v = mesh.facet(f).v;
-    const vec3 middle = (mesh.position(v[0]) + mesh.position(v[1]) + mesh.position(v[2])) / 3;
-    outward += dot(area_vector(mesh, mesh.facet(f)), shape.normal(middle));
+  for (const auto& t : points.triangles) {
+    const auto& p = points.points;
+    outward += dot(points.area_of(t), shape.normal((p[t[0]] + p[t[1]] + p[t[2]]) / 3));
   }
   return outward > 0 ? 1 : -1;
 }
@@ -113,8 +109,7 @@ bool is_near(const wall_shape& shape, const cloud& points, double roundness) {
     points.points, [&](vec3 p) { return std::abs(shape.distance(p)) <= roundness * shape.radius; });
 }
 
-std::optional<wall_shape> fit_cylinder(const mesh_version& mesh, std::span<const facet_id> facets,
-                                       const cloud& points, const fit_limits& limits) {
+std::optional<wall_shape> fit_cylinder(const cloud& points, const fit_limits& limits) {
   if (points.points.size() < 6)
     return std::nullopt;
   wall_shape shape;
@@ -138,31 +133,30 @@ std::optional<wall_shape> fit_cylinder(const mesh_version& mesh, std::span<const
   if (!(shape.radius > 0) || !(shape.radius < 100 * points.size))
     return std::nullopt;
   refine_round_wall(points.points, points.size, shape);
-  const bool upright = std::ranges::all_of(facets, [&](facet_id f) {
-    const vec3 area = area_vector(mesh, mesh.facet(f));
+  const bool upright = std::ranges::all_of(points.triangles, [&](const corners3& t) {
+    const vec3 area = points.area_of(t);
     return std::abs(dot(area, shape.axis)) <= steepest * norm(area);
   });
   if (!upright ||
-      !(limits.wide_facets ? goes_round(shape, points) : facets_are_narrow(mesh, facets, shape)))
+      !(limits.wide_facets ? goes_round(shape, points) : facets_are_narrow(points, shape)))
     return std::nullopt;
-  shape.side = side_of(mesh, facets, shape);
+  shape.side = side_of(points, shape);
   return is_near(shape, points, limits.roundness) ? std::optional(shape) : std::nullopt;
 }
 
 /// The planes of a cone's facets meet near its apex, and their normals lie on a circle around its
 /// axis.
-std::optional<wall_shape> fit_cone(const mesh_version& mesh, std::span<const facet_id> facets,
-                                   const cloud& points, const fit_limits& limits) {
+std::optional<wall_shape> fit_cone(const cloud& points, const fit_limits& limits) {
   if (points.points.size() < 7)
     return std::nullopt;
   double total = 0;
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
-  for (const auto f : facets) {
-    const vec3 area = area_vector(mesh, mesh.facet(f));
+  for (const auto& t : points.triangles) {
+    const vec3 area = points.area_of(t);
     const vec3 n = normalized(area);
     total += norm(area);
-    right += norm(area) * dot(n, mesh.position(mesh.facet(f).v[0]) - points.centre) *
-             Eigen::Vector3d(n.x, n.y, n.z);
+    right +=
+      norm(area) * dot(n, points.points[t[0]] - points.centre) * Eigen::Vector3d(n.x, n.y, n.z);
   }
   const Eigen::Vector3d mean = Eigen::Vector3d(points.area.x, points.area.y, points.area.z) / total;
   const Eigen::Matrix3d spread = points.normals / total - mean * mean.transpose();
@@ -189,7 +183,7 @@ std::optional<wall_shape> fit_cone(const mesh_version& mesh, std::span<const fac
   });
   if (!(shape.radius > 0) || !one_side || !goes_round(shape, points))
     return std::nullopt;
-  shape.side = side_of(mesh, facets, shape);
+  shape.side = side_of(points, shape);
   return is_near(shape, points, limits.roundness) ? std::optional(shape) : std::nullopt;
 }
 
@@ -247,17 +241,43 @@ vec3 wall_shape::normal(vec3 p) const {
   return side / std::hypot(1, slope) * (normalized(d - dot(d, axis) * axis) - slope * axis);
 }
 
+facet_corners corners_of(const mesh_version& mesh, std::span<const facet_id> facets) {
+  std::vector<vertex_id> ids;
+  for (const auto f : facets)
+    ids.insert(ids.end(), mesh.facet(f).v.begin(), mesh.facet(f).v.end());
+  std::ranges::sort(ids);
+  ids.erase(std::ranges::unique(ids).begin(), ids.end());
+  facet_corners result;
+  for (const auto v : ids)
+    result.points.push_back(mesh.position(v));
+  for (const auto f : facets) {
+    std::array<std::uint32_t, 3> t{};
+    for (int i = 0; i < 3; ++i)
+      t[i] =
+        static_cast<std::uint32_t>(std::ranges::lower_bound(ids, mesh.facet(f).v[i]) - ids.begin());
+    result.triangles.push_back(t);
+  }
+  return result;
+}
+
+std::optional<wall_shape> fit_wall(std::span<const vec3> points,
+                                   std::span<const std::array<std::uint32_t, 3>> triangles,
+                                   const fit_limits& limits) {
+  if (triangles.empty())
+    return std::nullopt;
+  const auto all = gather(points, triangles);
+  auto shape = fit_plane(all);
+  if (!shape)
+    shape = fit_cylinder(all, limits);
+  if (!shape && limits.cones)
+    shape = fit_cone(all, limits);
+  return shape;
+}
+
 std::optional<wall_shape> fit_wall(const mesh_version& mesh, std::span<const facet_id> facets,
                                    const fit_limits& limits) {
-  if (facets.empty())
-    return std::nullopt;
-  const auto points = gather(mesh, facets);
-  auto shape = fit_plane(points);
-  if (!shape)
-    shape = fit_cylinder(mesh, facets, points, limits);
-  if (!shape && limits.cones)
-    shape = fit_cone(mesh, facets, points, limits);
-  return shape;
+  const auto [points, triangles] = corners_of(mesh, facets);
+  return fit_wall(points, triangles, limits);
 }
 
 }  // namespace tedit

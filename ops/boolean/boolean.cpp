@@ -14,6 +14,7 @@
 #include "mesh/quality.hpp"
 #include "ops/boolean/bonded.hpp"
 #include "ops/boolean/flush.hpp"
+#include "ops/boolean/put_on_walls.hpp"
 #include "ops/boolean/remesh.hpp"
 #include "ops/tools/local_size.hpp"
 
@@ -47,6 +48,10 @@ constexpr std::array ways{way{1, 2, {exact, 0.005, 0.05}}, way{2, 4, {exact, 0.0
                           way{1, 2, {exact, 0.06, 0.25}},  way{1, 3, {5e-3, 0.03, 0.12}},
                           way{2, 4, {2e-2, 0.06, 0.12}},   way{2, 4, {2e-2, 0.1, 0.3}}};
 
+/// What lies between the chords and the arcs of a coarse part's round walls may be as much as a
+/// small edit: of that, no more than this share is put on with new vertices.
+constexpr double most_put_on = 0.05;
+
 /// Tools of more triangles are tried twice only, fillings of more tets are not mended besides.
 constexpr std::size_t many_triangles = 8000;
 constexpr std::size_t many_tets = 30'000;
@@ -68,6 +73,10 @@ public:
     find_near(tool);
     flush_ =
       make_flush(*mesh, tool, request.mode, near_, flush_tolerance * size_, flush_layer * size_);
+    // A wall that moves takes its neighbours' chords along: on a coarse part what lies between
+    // these and their arcs is more than many an edit.
+    if (!moves_walls(*mesh, tool, continues, near_))
+      walls_.emplace(*mesh, flush_.tool, continues);
   }
 
   expected<boolean_result> best() {
@@ -93,7 +102,7 @@ public:
       }
       if (!best || is_better(*made, *best))
         best = std::move(*made);
-      if (best->worst_after >= std::min(wanted_quality, best->worst_before))
+      if (is_good(*best))
         break;
       // What is as flat as this after several tries does not come right.
       if (i + 1 >= hopeless_tries &&
@@ -222,7 +231,30 @@ private:
       return fail(ec::mesher_failed, "the result would be off what was asked for by " +
                                        number_text(1e3 * deviation) + " mm");
     run.report(0.5, "meshing");
-    return filled(part->hollow, surface, part->cut, deviation, run);
+    return filled_round(part->hollow, surface, part->cut, deviation, run);
+  }
+
+  /// With new vertices on the round walls; where no good tets come of that, with them on the
+  /// facets.
+  expected<boolean_result> filled_round(const cavity& hollow, const labelled_surface& surface,
+                                        const corefined& cut, double deviation,
+                                        const execution& run) {
+    // Bonded regions are cut each for itself, and share their interfaces to the last digit.
+    const bool may_be_round = walls_ && hollow.shares.size() == 1;
+    const auto round = may_be_round ? put_on_round_walls(surface, *walls_) : std::nullopt;
+    if (!round || std::abs(round->volume_change) > most_put_on * size_of_edit(hollow, cut))
+      return filled(hollow, surface, cut, 0, deviation, run);
+    auto made = filled(hollow, round->surface, cut, round->volume_change, deviation, run);
+    if (made ? is_good(*made) : made.error().code != ec::mesher_failed)
+      return made;
+    // Where it does not come out once it does not in other ways: each would be meshed twice.
+    walls_.reset();
+    auto plain = filled(hollow, surface, cut, 0, deviation, run);
+    return made && (!plain || !is_better(*plain, *made)) ? std::move(made) : std::move(plain);
+  }
+
+  static bool is_good(const boolean_result& made) {
+    return made.worst_after >= std::min(wanted_quality, made.worst_before);
   }
 
   [[nodiscard]] expected<corefined> cut_of(const cavity& hollow, const execution& run) const {
@@ -236,8 +268,10 @@ private:
     return join_shares(hollow, std::move(*cut));
   }
 
+  /// @param put_on m^3: by how much vertices that were put on round walls have changed the surface.
   expected<boolean_result> filled(const cavity& hollow, const labelled_surface& surface,
-                                  const corefined& cut, double deviation, const execution& run) {
+                                  const corefined& cut, double put_on, double deviation,
+                                  const execution& run) {
     auto builder = begin();
     auto made = replace_cavity(builder, hollow, surface, flush_.tool, filling::tets, run);
     if (!made)
@@ -256,7 +290,7 @@ private:
     }
     result.deviation = deviation;
     name_surfaces(result, std::move(made->surfaces));
-    if (auto ok = volume_fits(hollow, cut, result); !ok)
+    if (auto ok = volume_fits(hollow, cut, put_on, result); !ok)
       return fail(ok.error());
     return result;
   }
@@ -294,14 +328,25 @@ private:
            change <= 1e-9 * total_volume(*mesh_);
   }
 
-  /// The tets' volume is that of the exact boolean, but for what may be off.
-  expected<void> volume_fits(const cavity& hollow, const corefined& cut,
-                             const boolean_result& result) const {
-    double wanted = cut.volume_change;
+  /// m^3: what is cut or added; of a `keep`, what is kept is no more than the tool.
+  [[nodiscard]] double size_of_edit(const cavity& hollow, const corefined& cut) const {
+    return std::min(std::abs(wanted_change(hollow, cut)),
+                    enclosed_volume(flush_.tool.points, flush_.tool.triangles));
+  }
+
+  /// By how much the exact boolean changes the part's volume, m^3.
+  [[nodiscard]] double wanted_change(const cavity& hollow, const corefined& cut) const {
+    double change = cut.volume_change;
     for (const auto t : hollow.gone)
-      wanted -= signed_volume(mesh_->corners(t));
-    if (hollow.tets.empty())
-      wanted = result.volume_change;
+      change -= signed_volume(mesh_->corners(t));
+    return change;
+  }
+
+  /// The tets' volume is that of the exact boolean, but for what may be off.
+  expected<void> volume_fits(const cavity& hollow, const corefined& cut, double put_on,
+                             const boolean_result& result) const {
+    const double wanted =
+      hollow.tets.empty() ? result.volume_change : wanted_change(hollow, cut) + put_on;
     const double off = std::abs(result.volume_change - wanted);
     if (off > 1e-3 * std::abs(wanted) + 0.01 * size_ * size_ * size_)
       return fail(ec::mesher_failed, "the volume that came out is not that of the tool");
@@ -335,6 +380,7 @@ private:
   double size_ = 0;
   std::vector<facet_id> near_;
   flush_tool flush_;
+  std::optional<round_walls> walls_;
 };
 
 }  // namespace

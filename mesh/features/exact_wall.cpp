@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "mesh/features/exact_wall.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace tedit {
+
+namespace {
+
+constexpr fit_limits exact_limits{1e-4, true, true};
+/// A sphere of which so little is there is as well a plane or free form.
+constexpr double widest_sphere = 100;
+/// Its corners are no box's: no edge is seen from the centre as wide as this, as a share of the
+/// radius.
+constexpr double widest_edge = 1.1;
+
+/// What is this near to its walls, as a share of their radius, is on them.
+constexpr double on_its_wall = 1e-13;
+constexpr double rounding = 2e-15;
+/// Walls that touch without crossing are as far apart as their fits allow: there so near is near
+/// enough.
+constexpr double touching = 1e-6;
+/// A share of the least radius: no chord is so far from its arc.
+constexpr double furthest_move = 0.5;
+constexpr int most_wall_steps = 40;
+/// A demand that changes by less than this in the directions that others leave free follows from
+/// them.
+constexpr double least_slope = 1e-4;
+/// Walls that meet at less than 35 degrees run on smoothly.
+constexpr double smooth_cosine = 0.82;
+
+/// |p|^2 = 2 c . p + d is linear in centre and radius.
+std::optional<exact_wall> fit_ball(const facet_corners& cloud) {
+  const auto& points = cloud.points;
+  if (points.size() < 8)
+    return std::nullopt;
+  vec3 middle;
+  for (const auto& p : points)
+    middle += p / static_cast<double>(points.size());
+  Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
+  Eigen::Vector4d right = Eigen::Vector4d::Zero();
+  double size = 0;
+  for (const auto& p : points) {
+    const vec3 d = p - middle;
+    const Eigen::Vector4d row(2 * d.x, 2 * d.y, 2 * d.z, 1);
+    normal += row * row.transpose();
+    right += row * dot(d, d);
+    size = std::max(size, norm(d));
+  }
+  const Eigen::Vector4d x = normal.fullPivLu().solve(right);
+  const vec3 c{x[0], x[1], x[2]};
+  const double radius = std::sqrt(x[3] + dot(c, c));
+  if (!(radius > 0) || !(radius < widest_sphere * size))
+    return std::nullopt;
+  const bool round = std::ranges::all_of(points, [&](vec3 p) {
+    return std::abs(norm(p - middle - c) - radius) <= exact_limits.roundness * radius;
+  });
+  const bool fine = std::ranges::all_of(cloud.triangles, [&](const auto& t) {
+    for (int i = 0; i < 3; ++i)
+      if (norm(points[t[(i + 1) % 3]] - points[t[i]]) > widest_edge * radius)
+        return false;
+    return true;
+  });
+  if (!round || !fine)
+    return std::nullopt;
+  exact_wall result;
+  result.shape.point = middle + c;
+  result.sphere_radius = radius;
+  return result;
+}
+
+double missing(const wall_demand& d, vec3 p) {
+  return d.wall ? d.wall->distance(p) : dot(d.normal, p - d.point);
+}
+
+double worst_of(const std::vector<wall_demand>& demands, vec3 p) {
+  double worst = 0;
+  for (const auto& d : demands)
+    worst = std::max(worst, std::abs(missing(d, p)));
+  return worst;
+}
+
+/// The shortest step that fulfils the demands to first order, as far as they are independent.
+vec3 step_at(const std::vector<wall_demand>& demands, vec3 p) {
+  std::array<vec3, 3> basis;
+  std::size_t rank = 0;
+  vec3 step;
+  for (const auto& d : demands) {
+    const vec3 slope = d.wall ? d.wall->normal(p) : d.normal;
+    vec3 rest = slope;
+    for (std::size_t i = 0; i < rank; ++i)
+      rest = rest - dot(rest, basis[i]) * basis[i];
+    const double size = norm(rest);
+    if (rank == basis.size() || size < least_slope)
+      continue;
+    basis[rank] = rest / size;
+    step -= (missing(d, p) + dot(slope, step)) / size * basis[rank];
+    ++rank;
+  }
+  return step;
+}
+
+std::vector<wall_demand> without_smooth(const std::vector<wall_demand>& all, vec3 start) {
+  std::vector<wall_demand> result;
+  for (const auto& d : all)
+    if (!d.free_form || std::ranges::none_of(all, [&](const wall_demand& other) {
+          return other.wall && std::abs(dot(other.wall->normal(start), d.normal)) > smooth_cosine;
+        }))
+      result.push_back(d);
+  return result;
+}
+
+}  // namespace
+
+double exact_wall::distance(vec3 p) const {
+  return sphere_radius > 0 ? norm(p - shape.point) - sphere_radius : shape.distance(p);
+}
+
+vec3 exact_wall::normal(vec3 p) const {
+  return sphere_radius > 0 ? normalized(p - shape.point) : shape.normal(p);
+}
+
+double exact_wall::radius_at(vec3 p) const {
+  if (sphere_radius > 0)
+    return sphere_radius;
+  return flat() ? std::numeric_limits<double>::infinity()
+                : shape.radius + shape.slope * dot(p - shape.point, shape.axis);
+}
+
+std::optional<exact_wall> fit_exact(const facet_corners& wall) {
+  if (wall.triangles.empty())
+    return std::nullopt;
+  if (const auto shape = fit_wall(wall.points, wall.triangles, exact_limits))
+    return exact_wall{*shape, 0};
+  return fit_ball(wall);
+}
+
+std::array<double, 2> gaps_around(const wall_shape& shape, std::span<const vec3> points) {
+  const vec3 helper = std::abs(shape.axis.x) < 0.6 ? vec3{1, 0, 0} : vec3{0, 1, 0};
+  const vec3 u = normalized(cross(helper, shape.axis));
+  const vec3 w = cross(shape.axis, u);
+  std::vector<double> angles;
+  for (const auto& p : points) {
+    const vec3 d = p - shape.point;
+    // A cone's apex is on all sides.
+    if (std::hypot(dot(d, u), dot(d, w)) > 1e-6 * shape.radius)
+      angles.push_back(std::atan2(dot(d, w), dot(d, u)));
+  }
+  if (angles.empty())
+    return {2 * std::numbers::pi, 0};
+  std::ranges::sort(angles);
+  std::vector<double> gaps{angles.front() + 2 * std::numbers::pi - angles.back()};
+  for (std::size_t i = 0; i + 1 < angles.size(); ++i)
+    gaps.push_back(angles[i + 1] - angles[i]);
+  std::ranges::sort(gaps, std::greater{});
+  return {gaps[0], gaps.size() > 1 ? gaps[1] : 0};
+}
+
+wall_place place_on_walls(const std::vector<wall_demand>& all, vec3 start) {
+  const auto demands = without_smooth(all, start);
+  double radius = std::numeric_limits<double>::infinity();
+  for (const auto& d : demands)
+    if (d.wall)
+      radius = std::min(radius, d.wall->radius_at(start));
+  wall_place result;
+  result.at = start;
+  result.before = result.after = worst_of(demands, start);
+  // Planes alone take one step.
+  if (std::isfinite(radius) && result.before <= on_its_wall * radius) {
+    result.found = true;
+    return result;
+  }
+  result.found = std::isfinite(radius) && result.before <= touching * radius;
+  vec3 p = start;
+  for (int i = 0; i < most_wall_steps; ++i) {
+    const vec3 step = step_at(demands, p);
+    p += step;
+    if (!is_finite(p) || norm(p - start) > furthest_move * radius)
+      return result;
+    const double off = worst_of(demands, p);
+    if (off > rounding * radius && norm(step) > rounding * radius && i + 1 < most_wall_steps)
+      continue;
+    if (off > touching * radius || (result.found && off > result.before))
+      return result;
+    result.at = p;
+    result.after = off;
+    result.found = true;
+    return result;
+  }
+  return result;
+}
+
+}  // namespace tedit

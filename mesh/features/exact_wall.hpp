@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "mesh/features/round_fit.hpp"
+
+namespace tedit {
+
+/// The exact surface behind a wall: a plane, a cylinder, a cone or a sphere.
+struct exact_wall {
+  wall_shape shape;
+  double sphere_radius = 0;  ///< m; 0: no sphere. Its centre is the shape's point.
+
+  [[nodiscard]] bool flat() const {
+    return sphere_radius == 0 && shape.type == wall_shape::kind::plane;
+  }
+  /// Signed, m: of a sphere positive outside.
+  [[nodiscard]] double distance(vec3 p) const;
+  /// Unit: the gradient of `distance`.
+  [[nodiscard]] vec3 normal(vec3 p) const;
+  /// m: of the wall's circle at p; that of a plane is infinite.
+  [[nodiscard]] double radius_at(vec3 p) const;
+};
+
+/// Fitted to all corners, within 1e-4 of the radius; nothing for free form. Each point is a corner
+/// of some triangle. Cost: O(triangles).
+[[nodiscard]] std::optional<exact_wall> fit_exact(const facet_corners& wall);
+
+/// How wide the gaps between corners around a cylinder's or cone's axis are, rad: the two widest,
+/// the wider one first. The corners of a hexagon lie on a cylinder, too: how many there must be is
+/// for whoever asks. Cost: O(points log points).
+[[nodiscard]] std::array<double, 2> gaps_around(const wall_shape& shape,
+                                                std::span<const vec3> points);
+
+/// What a vertex must lie on: an exact wall, or a plane.
+struct wall_demand {
+  const exact_wall* wall = nullptr;  ///< Null: the plane.
+  vec3 point;                        ///< On the plane.
+  vec3 normal;                       ///< Unit; of the plane.
+  bool free_form = false;            ///< Nobody knows whether the wall is that plane.
+};
+
+/// A place on all that is demanded.
+struct wall_place {
+  vec3 at;
+  double before = 0;   ///< m: how far the vertex is off the walls.
+  double after = 0;    ///< m: and the place.
+  bool found = false;  ///< False also where the walls touch without crossing, or too far away.
+};
+
+/// The nearest point to `start` on the walls and planes: Newton's method with the shortest steps.
+/// What follows from the demands before it, or has nothing to do with them (walls that touch, more
+/// than three), is only looked at: `after` is of all. It may be half of the least radius away. Free
+/// form that a round wall runs into smoothly demands nothing: its plane is a chord of both.
+/// Cost: O(demands) some times.
+[[nodiscard]] wall_place place_on_walls(const std::vector<wall_demand>& demands, vec3 start);
+
+}  // namespace tedit

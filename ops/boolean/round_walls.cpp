@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "ops/boolean/round_walls.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+#include <tuple>
+
+namespace tedit::ops {
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+/// Gaps between corners around the axis: the corners of a hexagon lie on a cylinder, too.
+constexpr double widest_gap = 75 * degree;
+constexpr double widest_closed_gap = 55 * degree;
+/// A tool has at least 16 edges a turn where it is meant to be round, and its corners are on the
+/// wall to rounding, as a share of the radius: those of a file are not.
+constexpr double widest_tool_gap = 25 * degree;
+constexpr double exact_corner = 1e-10;
+/// Of more triangles a part is tried first: a free form is dear to fit.
+constexpr std::size_t many_triangles_of_wall = 2000;
+
+/// The triangles with those points alone that they have.
+facet_corners with_own_points(std::span<const vec3> points,
+                              std::span<const std::array<std::uint32_t, 3>> triangles) {
+  facet_corners result;
+  std::vector<std::uint32_t> used;
+  for (const auto& t : triangles)
+    used.insert(used.end(), t.begin(), t.end());
+  std::ranges::sort(used);
+  used.erase(std::ranges::unique(used).begin(), used.end());
+  for (const auto v : used)
+    result.points.push_back(points[v]);
+  for (auto t : triangles) {
+    for (auto& v : t)
+      v = static_cast<std::uint32_t>(std::ranges::lower_bound(used, v) - used.begin());
+    result.triangles.push_back(t);
+  }
+  return result;
+}
+
+std::optional<exact_wall> exact_of(const facet_corners& corners) {
+  if (corners.triangles.size() > many_triangles_of_wall) {
+    const auto some = std::span(corners.triangles).first(corners.triangles.size() / 10);
+    if (!fit_exact(with_own_points(corners.points, some)))
+      return std::nullopt;
+  }
+  return fit_exact(corners);
+}
+
+bool is_meant_round(const exact_wall& wall, const facet_corners& corners, bool is_part) {
+  if (!is_part && std::ranges::any_of(corners.points, [&](vec3 p) {
+        return std::abs(wall.distance(p)) > exact_corner * wall.radius_at(p);
+      }))
+    return false;
+  if (wall.sphere_radius > 0)
+    return true;
+  const auto [first, second] = gaps_around(wall.shape, corners.points);
+  if (!is_part)
+    return second <= widest_tool_gap;
+  return first < widest_gap ? first <= widest_closed_gap : second <= widest_gap;
+}
+
+}  // namespace
+
+const exact_wall* round_walls::wall::nearest(vec3 p) const {
+  const auto found = std::ranges::min_element(
+    round, {}, [&](const exact_wall& one) { return std::abs(one.distance(p)); });
+  return found == round.end() ? nullptr : &*found;
+}
+
+const round_walls::wall& round_walls::behind(const surface_labels& labels, std::int32_t label) {
+  if (label == surface_labels::shell)
+    return unknown_;
+  if (labels.is_tool(label))
+    return of_tool(labels.tool_face(label));
+  const auto& row = labels.part[static_cast<std::size_t>(label)];
+  return row.between || !row.id ? unknown_ : of_part(*row.id);
+}
+
+const round_walls::wall& round_walls::of_part(surface_id id) {
+  const auto [row, fresh] = part_walls_.try_emplace(id);
+  if (fresh) {
+    add(row->second, corners_of(part_, facets_of(part_, std::array{id})), true);
+    for (std::size_t face = 0; face < continues_.size(); ++face)
+      if (continues_[face] == id) {
+        const auto& own = of_tool(face);
+        row->second.round.insert(row->second.round.end(), own.round.begin(), own.round.end());
+        row->second.free_form |= own.free_form;
+      }
+  }
+  return row->second;
+}
+
+const round_walls::wall& round_walls::of_tool(std::size_t face) {
+  const auto [row, fresh] = tool_walls_.try_emplace(face);
+  if (fresh) {
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    for (std::size_t i = 0; i < tool_.triangles.size(); ++i)
+      if (tool_.faces[i] == face)
+        triangles.push_back(tool_.triangles[i]);
+    // What continues a wall has the facets that the part has of it.
+    add(row->second, with_own_points(tool_.points, triangles),
+        face < continues_.size() && continues_[face]);
+  }
+  return row->second;
+}
+
+void round_walls::add(wall& to, const facet_corners& corners, bool is_part) const {
+  if (corners.triangles.empty())
+    return;
+  const auto shape = exact_of(corners);
+  if (!shape)
+    to.free_form = true;
+  else if (!shape->flat() && is_meant_round(*shape, corners, is_part))
+    to.round.push_back(*shape);
+}
+
+bool moves_walls(const mesh_version& part, const tool_surface& tool,
+                 const std::vector<std::optional<surface_id>>& continues,
+                 const std::vector<facet_id>& near) {
+  if (std::ranges::none_of(continues, [](const auto& id) { return id.has_value(); }))
+    return false;
+  const auto less = [](vec3 a, vec3 b) {
+    return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+  };
+  const std::set<vec3, decltype(less)> points(tool.points.begin(), tool.points.end(), less);
+  return std::ranges::any_of(near, [&](facet_id f) {
+    return std::ranges::any_of(continues,
+                               [&](const auto& id) { return id == part.facet(f).surface; }) &&
+           std::ranges::all_of(part.facet(f).v,
+                               [&](vertex_id v) { return points.contains(part.position(v)); });
+  });
+}
+
+}  // namespace tedit::ops

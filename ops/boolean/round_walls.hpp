@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "mesh/features/exact_wall.hpp"
+#include "ops/boolean/remesh.hpp"
+
+namespace tedit::ops {
+
+/// The exact walls behind the surfaces of a boolean's result: those of the part, fitted to the
+/// corners that it has there, and the tool's own. Each is fitted when it is first asked for.
+class round_walls {
+public:
+  /// @param continues as for `services::boolean_onto`.
+  round_walls(const mesh_version& part, const tool_surface& tool,
+              const std::vector<std::optional<surface_id>>& continues)
+      : part_(part), tool_(tool), continues_(continues) {}
+
+  struct wall {
+    std::vector<exact_wall> round;  ///< None: it is flat, or of no known shape.
+    bool free_form = false;         ///< Of no known shape.
+
+    /// The one that a point is nearest to; null where there is none.
+    [[nodiscard]] const exact_wall* nearest(vec3 p) const;
+  };
+
+  /// Interfaces are of no known shape. Cost: that of a fit, once a surface.
+  [[nodiscard]] const wall& behind(const surface_labels& labels, std::int32_t label);
+
+private:
+  const wall& of_part(surface_id id);
+  const wall& of_tool(std::size_t face);
+  void add(wall& to, const facet_corners& corners, bool is_part) const;
+
+  const mesh_version& part_;
+  const tool_surface& tool_;
+  const std::vector<std::optional<surface_id>>& continues_;
+  std::map<surface_id, wall> part_walls_;
+  std::map<std::size_t, wall> tool_walls_;
+  const wall unknown_{{}, true};
+};
+
+/// Does the tool have facets of the part for faces that continue a surface, so that it moves walls?
+/// @param near all live facets that meet the tool's box.
+[[nodiscard]] bool moves_walls(const mesh_version& part, const tool_surface& tool,
+                               const std::vector<std::optional<surface_id>>& continues,
+                               const std::vector<facet_id>& near);
+
+}  // namespace tedit::ops

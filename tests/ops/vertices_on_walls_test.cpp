@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// services::boolean at round walls: where new vertices lie, on blocks whose volumes can be had by
+// hand.
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "mesh/checks.hpp"
+#include "ops/services/host_services.hpp"
+#include "ops/tools/tools.hpp"
+#include "tests/support/meshes.hpp"
+
+namespace tedit::ops {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// A round wall by hand: the axis through a point, and the radius there.
+struct by_hand {
+  std::string name;
+  vec3 point;
+  vec3 axis;
+  double radius = 0;
+  double slope = 0;
+
+  [[nodiscard]] double off(vec3 p) const {
+    const vec3 d = p - point;
+    const double along = dot(d, axis);
+    return std::abs(norm(d - along * axis) - radius - slope * along) / std::hypot(1, slope);
+  }
+};
+
+class VerticesOnWalls : public ::testing::Test {
+protected:
+  static tool_surface rod(const by_hand& wall, double length, int segments) {
+    const vec3 top = wall.point + 0.5 * length * wall.axis;
+    return revolve(make_frame(top, wall.axis),
+                   {{0, 0, ""},
+                    {wall.radius + wall.slope * 0.5 * length, 0, "top"},
+                    {wall.radius - wall.slope * 0.5 * length, -length, wall.name},
+                    {0, -length, "end"}},
+                   segments, 0.12);
+  }
+
+  boolean_result made(const version_ptr& mesh, const tool_surface& tool,
+                      boolean_mode mode = boolean_mode::cut) {
+    const auto result = host_->boolean(mesh, tool, {mode, 0}, {});
+    EXPECT_TRUE(result) << render(result.error());
+    if (!result)
+      return {mesh, {}, 0, 0, 0, 0, {}};
+    edit_claim claim;
+    claim.touched = result->touched;
+    claim.volume_change = result->volume_change;
+    claim.quality_floor = lowest_boolean_quality;
+    const auto report = check_edit(*mesh, *result->candidate, claim);
+    EXPECT_TRUE(report.ok()) << to_error(report).message;
+    EXPECT_EQ(check_version(*result->candidate).total, 0u);
+    return *result;
+  }
+
+  /// The block with a coarse bore: its wall has twelve facets.
+  version_ptr bored() { return made(block_, rod(bore_, 3, 12)).candidate; }
+
+  /// How far corners of the facets of these walls are off them at most, m.
+  static double furthest_off(const mesh_version& mesh, const std::vector<by_hand>& walls) {
+    double most = 0;
+    std::set<std::string> seen;
+    for (facet_id f = 0; f < mesh.facet_slots(); ++f) {
+      if (!mesh.is_live_facet(f))
+        continue;
+      const auto* row = mesh.find_surface(mesh.facet(f).surface);
+      for (const auto& wall : walls)
+        if (row && row->name == wall.name) {
+          seen.insert(wall.name);
+          for (const auto v : mesh.facet(f).v)
+            most = std::max(most, wall.off(mesh.position(v)));
+        }
+    }
+    EXPECT_EQ(seen.size(), walls.size());
+    return most;
+  }
+
+  std::unique_ptr<services> host_ = make_host_services();
+  version_ptr block_ = test::box_mesh({8, 8, 8}, {1, 1, 1});
+  const by_hand bore_{"bore", {0.5, 0.5, 0.5}, {0, 0, 1}, 0.2};
+};
+
+/// What a hole of radius r across a bore of radius R takes of the block: 8 times the integral over
+/// y from 0 to r of (1/2 - sqrt(R^2 - y^2)) sqrt(r^2 - y^2), by the middle rule.
+double taken_across(double bore, double hole) {
+  double sum = 0;
+  constexpr int n = 20'000;
+  for (int i = 0; i < n; ++i) {
+    const double angle = (i + 0.5) * pi / 2 / n;
+    const double y = hole * std::sin(angle);
+    const double width = hole * std::cos(angle);
+    sum += (0.5 - std::sqrt(bore * bore - y * y)) * width * width * pi / 2 / n;
+  }
+  return 8 * sum;
+}
+
+TEST_F(VerticesOnWalls, AHoleAcrossABoreHasItsVerticesOnBoth) {
+  const by_hand across{"across", {0.5, 0.5, 0.47}, {1, 0, 0}, 0.11};
+
+  const auto cut = made(bored(), rod(across, 3, 24));
+
+  EXPECT_LT(furthest_off(*cut.candidate, {bore_, across}), 1e-12);
+  EXPECT_NEAR(cut.volume_change, -taken_across(0.2, 0.11), 0.05 * taken_across(0.2, 0.11));
+}
+
+TEST_F(VerticesOnWalls, AHoleBesideABoreHasItsVerticesOnBoth) {
+  const vec3 way{std::cos(1.78), std::sin(1.78), 0};
+  const by_hand beside{"beside", vec3{0.5, 0.5, 0.5} + 0.23 * way, {0, 0, 1}, 0.1};
+
+  const auto cut = made(bored(), rod(beside, 3, 24));
+
+  EXPECT_LT(furthest_off(*cut.candidate, {bore_, beside}), 1e-12);
+}
+
+TEST_F(VerticesOnWalls, ATiltedBlindHoleThatMeetsABoreToo) {
+  const vec3 way{std::cos(0.67), std::sin(0.67), 0};
+  const by_hand tilted{"tilted", vec3{0.5, 0.5, 0.5} + 0.27 * way,
+                       normalized(way + vec3{0, 0, 0.3}), 0.09};
+
+  const auto cut = made(bored(), rod(tilted, 0.4, 24));
+
+  EXPECT_LT(furthest_off(*cut.candidate, {bore_, tilted}), 1e-12);
+}
+
+TEST_F(VerticesOnWalls, AConesVerticesLieOnTheCone) {
+  const by_hand cone{"cone", {0.5, 0.5, 1}, {0, 0, 1}, 0.3, 0.5};
+
+  const auto cut = made(bored(), rod(cone, 0.3, 24));
+
+  EXPECT_LT(furthest_off(*cut.candidate, {bore_, cone}), 1e-12);
+}
+
+TEST_F(VerticesOnWalls, ABarAcrossABoreEndsOnItsWall) {
+  const by_hand bar{"bar", {0.5, 0.5, 0.5}, {0, 1, 0}, 0.09};
+
+  const auto added = made(bored(), rod(bar, 0.5, 24), boolean_mode::add);
+
+  EXPECT_LT(furthest_off(*added.candidate, {bore_, bar}), 1e-12);
+}
+
+TEST_F(VerticesOnWalls, OnTurnedAndMovedPartsToo) {
+  const frame f = make_frame({3.1, -2.7, 0.4}, normalized({0.3, -0.5, 0.8}));
+  const auto place = [&](vec3 p) { return f.at(p.x, p.y, p.z); };
+  const auto turned = test::box_mesh({8, 8, 8}, {1, 1, 1}, place);
+  const by_hand bore{"bore", place({0.5, 0.5, 0.5}), f.z, 0.2};
+  const by_hand across{"across", place({0.5, 0.5, 0.47}), f.x, 0.11};
+
+  const auto bored = made(turned, rod(bore, 3, 12));
+  const auto cut = made(bored.candidate, rod(across, 3, 24));
+
+  EXPECT_LT(furthest_off(*cut.candidate, {bore, across}), 1e-12);
+}
+
+TEST_F(VerticesOnWalls, AToolOfFewSidesIsAPrism) {
+  const by_hand prism{"prism", {0.45, 0.55, 0.5}, {0, 0, 1}, 0.3};
+
+  const auto cut = made(block_, rod(prism, 3, 6));
+
+  EXPECT_NEAR(cut.volume_change, -1.5 * std::sqrt(3.0) * 0.09, 1e-12);
+}
+
+}  // namespace
+}  // namespace tedit::ops
