@@ -37,6 +37,15 @@ check_row check_program(const std::string& name, const std::string& what) {
   return {name, there, there ? path.string() : "missing: " + what};
 }
 
+/// A server needs none: Containerfile leaves it out.
+check_row check_render() {
+  const auto path = executable_folder() / "tedit-render";
+  return {"tedit-render", true,
+          access(path.c_str(), X_OK) == 0
+            ? path.string()
+            : "no pictures here: this build is without it (-DTEDIT_RENDER=ON)"};
+}
+
 /// A build without the libraries leaves both out.
 check_row check_cad() {
   for (const auto* name :
@@ -98,7 +107,7 @@ std::vector<check_row> check_all(const doctor_options& options, const cancel_tok
   rows.push_back(check_clock());
   rows.push_back(check_sandbox(options));
   rows.push_back(check_program("tedit-mesher", "operations cannot mesh new volume"));
-  rows.push_back(check_program("tedit-render", "no pictures (build with -DTEDIT_RENDER=ON)"));
+  rows.push_back(check_render());
   rows.push_back(check_cad());
   rows.push_back(check_surface_files());
   rows.push_back(check_med());
