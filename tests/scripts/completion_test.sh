@@ -30,7 +30,7 @@ expect "drop move refuse " tedit edit a.msh --loads ""
 expect "move " tedit edit a.msh --loads m
 expect "lavapipe " tedit solve a.msh --device l
 expect "new test " tedit plugin ""
-expect "check copy export gc list " tedit doc ""
+expect "check copy export gc list loads " tedit doc ""
 expect "init issue list renew revoke " tedit certs ""
 expect "--drop-unreachable --dry-run " tedit doc gc part.tedit --dr
 cd "$source/examples/ctc01_plate"
