@@ -51,7 +51,7 @@ FAULTS = [
     ("a free worker takes no waiting work", "actors/supervisor/pool.cpp",
      "  ++c->jobs_done;\n  dispatch();\n}", "  ++c->jobs_done;\n  if (!FAULT)\n    dispatch();\n}"),
     ("the work of a dead worker is lost", "actors/supervisor/pool.cpp",
-     "  if (work)\n    try_again(std::move(*work), how);", "  if (work && !FAULT)\n    try_again(std::move(*work), how);"),
+     "  if (work)\n    try_again(std::move(*work), starved ? how + as_memory_ran_out : how);", "  if (work && !FAULT)\n    try_again(std::move(*work), starved ? how + as_memory_ran_out : how);"),
     ("a worker gets work while it has some", "actors/supervisor/placement.cpp",
      "!c.is_there() || c.work ||", "!c.is_there() || (c.work && !FAULT) ||"),
     ("a batch of pages is not counted off", "actors/pages/page_store.cpp", "--transfer.in_flight;", LEFT_OUT),
