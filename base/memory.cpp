@@ -9,10 +9,12 @@
 #endif
 
 #include <algorithm>
+#include <charconv>
 #include <fstream>
 #include <limits>
 #include <optional>
 #include <sstream>
+#include <string_view>
 #include <vector>
 
 #include "base/control_groups.hpp"
@@ -108,7 +110,16 @@ std::uint64_t whole_memory(const fs::path& root) {
 }
 
 std::uint64_t memory_kills(const fs::path& root) {
-  return number_of(root / "proc/vmstat", "oom_kill").value_or(0);
+  std::ifstream in(root / "proc/vmstat", std::ios::binary);
+  std::string text(16384, '\0');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  constexpr std::string_view key = "\noom_kill ";
+  const auto at = text.find(key);
+  std::uint64_t count = 0;
+  if (at != std::string::npos)
+    std::from_chars(text.data() + at + key.size(), text.data() + text.size(), count);
+  return count;
 }
 
 expected<void> check_memory(std::uint64_t bytes, const memory_room& room, const std::string& what) {

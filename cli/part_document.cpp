@@ -109,10 +109,25 @@ private:
   ops::catalogue plugins_ = ops::load_default_catalogue();
 };
 
-expected<document_part> version_in(const store::document_view& document,
-                                   const store::contents& rows,
+struct opened_document {
+  std::unique_ptr<store::document_view> document;
+  store::contents rows;
+};
+
+expected<opened_document> open_document(const fs::path& file) {
+  auto document = store::document_view::open(file);
+  if (!document)
+    return fail(document.error());
+  auto all = (*document)->read();
+  if (!all)
+    return fail(all.error());
+  return opened_document{std::move(*document), std::move(all->rows)};
+}
+
+expected<document_part> version_in(const opened_document& opened,
                                    std::optional<std::uint32_t> number) {
-  auto mesh = actors::read_version(document, number);
+  const auto& rows = opened.rows;
+  auto mesh = actors::read_version(*opened.document, number);
   if (!mesh)
     return fail(mesh.error());
   document_part part;
@@ -133,27 +148,19 @@ bool is_document(const fs::path& file) {
 }
 
 expected<document_part> read_version_of(const fs::path& file, std::optional<std::uint32_t> number) {
-  const auto document = store::document_view::open(file);
-  if (!document)
-    return fail(document.error());
-  const auto rows = (*document)->read();
-  if (!rows)
-    return fail(rows.error());
-  return version_in(**document, rows->rows, number);
+  const auto opened = open_document(file);
+  return opened ? version_in(*opened, number) : fail(opened.error());
 }
 
 expected<document_part> read_part(const fs::path& file, std::optional<std::uint32_t> number,
                                   const execution& run) {
-  const auto document = store::document_view::open(file);
-  if (!document)
-    return fail(document.error());
-  const auto rows = (*document)->read();
-  if (!rows)
-    return fail(rows.error());
-  auto part = version_in(**document, rows->rows, number);
+  const auto opened = open_document(file);
+  if (!opened)
+    return fail(opened.error());
+  auto part = version_in(*opened, number);
   if (!part)
     return part;
-  auto state = model_reader(**document, rows->rows, run).read(part->number);
+  auto state = model_reader(*opened->document, opened->rows, run).read(part->number);
   if (!state)
     return fail(state.error());
   part->cad = std::move(*state);

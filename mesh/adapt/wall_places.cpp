@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "mesh/adapt/wall_places.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+
+#include "mesh/features/exact_wall.hpp"
 
 namespace tedit {
 
@@ -11,8 +12,6 @@ namespace {
 
 /// Corners may be so far off a sphere, as a share of its radius.
 constexpr double roundness = 1e-4;
-/// A sphere of which so little is there is as well a plane or free form.
-constexpr double widest_sphere = 100;
 
 /// Of the edge: where walls meet under so small an angle that their common point is further away,
 /// the middle is taken.
@@ -32,38 +31,6 @@ std::vector<vec3> corners_of(const mesh_version& mesh, std::span<const facet_id>
   return result;
 }
 
-struct ball {
-  vec3 centre;
-  double radius = 0;
-};
-
-/// |p|^2 = 2 c . p + d is linear in centre and radius.
-std::optional<ball> fit_sphere(const std::vector<vec3>& points) {
-  if (points.size() < 8)
-    return std::nullopt;
-  vec3 middle;
-  for (const auto& p : points)
-    middle += p / static_cast<double>(points.size());
-  Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
-  Eigen::Vector4d right = Eigen::Vector4d::Zero();
-  double size = 0;
-  for (const auto& p : points) {
-    const vec3 d = p - middle;
-    const Eigen::Vector4d row(2 * d.x, 2 * d.y, 2 * d.z, 1);
-    normal += row * row.transpose();
-    right += row * dot(d, d);
-    size = std::max(size, norm(d));
-  }
-  const Eigen::Vector4d x = normal.fullPivLu().solve(right);
-  const vec3 c{x[0], x[1], x[2]};
-  const double radius = std::sqrt(x[3] + dot(c, c));
-  if (!(radius > 0) || !(radius < widest_sphere * size))
-    return std::nullopt;
-  const bool round = std::ranges::all_of(
-    points, [&](vec3 p) { return std::abs(norm(p - middle - c) - radius) <= roundness * radius; });
-  return round ? std::optional(ball{middle + c, radius}) : std::nullopt;
-}
-
 }  // namespace
 
 double wall_places::wall::distance(vec3 p) const {
@@ -80,7 +47,7 @@ wall_places::wall wall_places::fitted(const mesh_version& mesh, surface_id id) {
   result.shape = fit_wall(mesh, facets, {roundness, true, true});
   if (result.shape)
     return result;
-  if (const auto sphere = fit_sphere(corners_of(mesh, facets))) {
+  if (const auto sphere = fit_ball(corners_of(mesh, facets), roundness)) {
     result.shape.emplace();
     result.shape->point = sphere->centre;
     result.sphere_radius = sphere->radius;

@@ -34,43 +34,22 @@ constexpr double least_slope = 1e-4;
 /// Walls that meet at less than 35 degrees run on smoothly.
 constexpr double smooth_cosine = 0.82;
 
-/// |p|^2 = 2 c . p + d is linear in centre and radius.
-std::optional<exact_wall> fit_ball(const facet_corners& cloud) {
+std::optional<exact_wall> sphere_of(const facet_corners& cloud) {
   const auto& points = cloud.points;
-  if (points.size() < 8)
+  const auto found = fit_ball(points, exact_limits.roundness);
+  if (!found)
     return std::nullopt;
-  vec3 middle;
-  for (const auto& p : points)
-    middle += p / static_cast<double>(points.size());
-  Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
-  Eigen::Vector4d right = Eigen::Vector4d::Zero();
-  double size = 0;
-  for (const auto& p : points) {
-    const vec3 d = p - middle;
-    const Eigen::Vector4d row(2 * d.x, 2 * d.y, 2 * d.z, 1);
-    normal += row * row.transpose();
-    right += row * dot(d, d);
-    size = std::max(size, norm(d));
-  }
-  const Eigen::Vector4d x = normal.fullPivLu().solve(right);
-  const vec3 c{x[0], x[1], x[2]};
-  const double radius = std::sqrt(x[3] + dot(c, c));
-  if (!(radius > 0) || !(radius < widest_sphere * size))
-    return std::nullopt;
-  const bool round = std::ranges::all_of(points, [&](vec3 p) {
-    return std::abs(norm(p - middle - c) - radius) <= exact_limits.roundness * radius;
-  });
   const bool fine = std::ranges::all_of(cloud.triangles, [&](const auto& t) {
     for (int i = 0; i < 3; ++i)
-      if (norm(points[t[(i + 1) % 3]] - points[t[i]]) > widest_edge * radius)
+      if (norm(points[t[(i + 1) % 3]] - points[t[i]]) > widest_edge * found->radius)
         return false;
     return true;
   });
-  if (!round || !fine)
+  if (!fine)
     return std::nullopt;
   exact_wall result;
-  result.shape.point = middle + c;
-  result.sphere_radius = radius;
+  result.shape.point = found->centre;
+  result.sphere_radius = found->radius;
   return result;
 }
 
@@ -117,6 +96,33 @@ std::vector<wall_demand> without_smooth(const std::vector<wall_demand>& all, vec
 
 }  // namespace
 
+std::optional<ball> fit_ball(std::span<const vec3> points, double roundness) {
+  if (points.size() < 8)
+    return std::nullopt;
+  vec3 middle;
+  for (const auto& p : points)
+    middle += p / static_cast<double>(points.size());
+  // |p|^2 = 2 c . p + d is linear in centre and radius.
+  Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
+  Eigen::Vector4d right = Eigen::Vector4d::Zero();
+  double size = 0;
+  for (const auto& p : points) {
+    const vec3 d = p - middle;
+    const Eigen::Vector4d row(2 * d.x, 2 * d.y, 2 * d.z, 1);
+    normal += row * row.transpose();
+    right += row * dot(d, d);
+    size = std::max(size, norm(d));
+  }
+  const Eigen::Vector4d x = normal.fullPivLu().solve(right);
+  const vec3 c{x[0], x[1], x[2]};
+  const double radius = std::sqrt(x[3] + dot(c, c));
+  if (!(radius > 0) || !(radius < widest_sphere * size))
+    return std::nullopt;
+  const bool round = std::ranges::all_of(
+    points, [&](vec3 p) { return std::abs(norm(p - middle - c) - radius) <= roundness * radius; });
+  return round ? std::optional(ball{middle + c, radius}) : std::nullopt;
+}
+
 double exact_wall::distance(vec3 p) const {
   return sphere_radius > 0 ? norm(p - shape.point) - sphere_radius : shape.distance(p);
 }
@@ -137,7 +143,7 @@ std::optional<exact_wall> fit_exact(const facet_corners& wall) {
     return std::nullopt;
   if (const auto shape = fit_wall(wall.points, wall.triangles, exact_limits))
     return exact_wall{*shape, 0};
-  return fit_ball(wall);
+  return sphere_of(wall);
 }
 
 std::array<double, 2> gaps_around(const wall_shape& shape, std::span<const vec3> points) {

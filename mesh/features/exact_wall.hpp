@@ -25,6 +25,15 @@ struct exact_wall {
   [[nodiscard]] double radius_at(vec3 p) const;
 };
 
+struct ball {
+  vec3 centre;
+  double radius = 0;  ///< m.
+};
+
+/// The sphere that all points lie on within `roundness` of its radius; nothing for fewer than
+/// eight, for others, and for one that is too large to be told from a plane. Cost: O(points).
+[[nodiscard]] std::optional<ball> fit_ball(std::span<const vec3> points, double roundness);
+
 /// Fitted to all corners, within 1e-4 of the radius; nothing for free form. Each point is a corner
 /// of some triangle. Cost: O(triangles).
 [[nodiscard]] std::optional<exact_wall> fit_exact(const facet_corners& wall);

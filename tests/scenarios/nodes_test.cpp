@@ -175,11 +175,13 @@ TEST_F(Nodes, LoadCasesAreSharedOutAmongMachinesAndComeToTheSame) {
       largest = std::max(largest, fields[c].values.of("von_mises_pa")[v]);
     ASSERT_EQ(worst[v], largest) << v;
   }
-  // What only files have is nowhere together: it is solved once more.
+  // What only files have is fetched from where it stayed: nobody solves once more.
   const auto file = value(user->export_file("vtu", {}, "mm", {}));
   const std::string text(file.begin(), file.end());
   EXPECT_THAT(text, HasSubstr("strain (case 1)"));
   EXPECT_THAT(text, HasSubstr("strain (case 6)"));
+  for (const auto& one : value(watcher->status()).nodes)
+    EXPECT_EQ(one.jobs_done, 1U) << one.name;
 }
 
 TEST_F(Nodes, AServerThatIsStartedAnewIsJoinedAgain) {
