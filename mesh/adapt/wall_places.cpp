@@ -19,7 +19,7 @@ constexpr double furthest_share = 0.5;
 constexpr double apart_share = 1e-3;
 constexpr int most_steps = 60;
 
-std::vector<vec3> corners_of(const mesh_version& mesh, std::span<const facet_id> facets) {
+std::vector<vec3> points_of(const mesh_version& mesh, std::span<const facet_id> facets) {
   std::vector<vertex_id> ids;
   for (const auto f : facets)
     ids.insert(ids.end(), mesh.facet(f).v.begin(), mesh.facet(f).v.end());
@@ -47,7 +47,7 @@ wall_places::wall wall_places::fitted(const mesh_version& mesh, surface_id id) {
   result.shape = fit_wall(mesh, facets, {roundness, true, true});
   if (result.shape)
     return result;
-  if (const auto sphere = fit_ball(corners_of(mesh, facets), roundness)) {
+  if (const auto sphere = fit_ball(points_of(mesh, facets), roundness)) {
     result.shape.emplace();
     result.shape->point = sphere->centre;
     result.sphere_radius = sphere->radius;
