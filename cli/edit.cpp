@@ -172,7 +172,7 @@ int run_edit(const edit_options& options, session& s) {
   const double import_ms = clock.restart();
   if (const auto can = sandbox::check(); !can && !sandbox::is_switched_off())
     notice(s, "note: " + render(can.error()));
-  const auto plugins = ops::load_default_catalogue();
+  const auto plugins = ops::load_catalogue_for(request.operation);
   if (const auto offered = plugins.find(request.operation)) {
     auto filled = with_files((*offered)->description, std::move(request.parameters));
     if (!filled)

@@ -31,6 +31,10 @@ found_plugin look_at(const std::filesystem::path& file, load_care care) {
   return {file, refusal_of(file, said.refusal), std::move(said.operations)};
 }
 
+std::filesystem::path built_in_folder() {
+  return executable_folder() / "../lib/tedit/plugins";
+}
+
 void find_in(const std::filesystem::path& folder, load_care care,
              std::vector<found_plugin>& found) {
   std::error_code code;
@@ -113,7 +117,7 @@ error unknown_operation(const std::string& id, const std::vector<std::string>& k
 std::vector<found_plugin> find_plugins(plugin_source which, load_care others) {
   std::vector<found_plugin> result;
   // First, so that no other plugin takes the id of a built-in one.
-  find_in(executable_folder() / "../lib/tedit/plugins", load_care::direct, result);
+  find_in(built_in_folder(), load_care::direct, result);
   if (which == plugin_source::built_in)
     return result;
   if (const char* path = std::getenv("TEDIT_PLUGIN_PATH")) {
@@ -136,6 +140,15 @@ catalogue load_default_catalogue(plugin_source which) {
   catalogue result;
   result.load(find_plugins(which, load_care::describe));
   return result;
+}
+
+catalogue load_catalogue_for(const std::string& id) {
+  std::vector<found_plugin> found;
+  find_in(built_in_folder(), load_care::direct, found);
+  std::erase_if(found, [&](const auto& one) { return one.file.stem() != id; });
+  catalogue result;
+  result.load(found);
+  return result.find(id) ? std::move(result) : load_default_catalogue();
 }
 
 expected<void> check_selection(const operation_description& description, const mesh_version& mesh,

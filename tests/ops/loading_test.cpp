@@ -88,6 +88,20 @@ TEST_F(Loading, SafeModeUsesBuiltInPluginsOnly) {
   EXPECT_TRUE(safe.refused().empty());
 }
 
+TEST_F(Loading, WhoAsksForOneThatCameWithTheProgramLoadsItAlone) {
+  const auto safe = load_default_catalogue(plugin_source::built_in);
+  ASSERT_GT(safe.entries().size(), 20u);
+  for (const auto& one : safe.entries()) {
+    const auto alone = load_catalogue_for(one.description.id);
+    ASSERT_EQ(alone.entries().size(), 1u) << one.description.id;
+    EXPECT_EQ(alone.entries()[0].description.id, one.description.id);
+  }
+
+  EXPECT_TRUE(load_catalogue_for("rule_breaker").find("rule_breaker").has_value()) << "of others";
+  EXPECT_TRUE(load_catalogue_for("fil_hole").find("fill_hole").has_value())
+    << "to name the nearest";
+}
+
 TEST_F(Loading, AFileThatIsNoLibraryIsNamed) {
   const auto file = folder_ / "text.so";
   std::ofstream(file) << "no library at all, only some words";
