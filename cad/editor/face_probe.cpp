@@ -23,7 +23,8 @@ constexpr double inside_tolerance = 1e-7;
 
 }  // namespace
 
-face_probe::face_probe(const TopoDS_Face& face) : face_(face) {
+face_probe::face_probe(const TopoDS_Face& face, double rim_slack)
+    : face_(face), rim_slack_(rim_slack) {
   // Not AddOptimal: it looks for the best box of a torus or a spline by swarms of particles.
   BRepBndLib::Add(face_, extent_, Standard_False);
 }
@@ -137,7 +138,8 @@ face_probe::finding face_probe::operator()(const gp_Pnt& point, double at_most) 
   if (off >= at_most)
     return result;
   result.curvature = curvature_of(*surface_, u, v);
-  result.distance = is_inside(u, v) ? off : distance_of_rim(point, at_most);
+  result.distance =
+    is_inside(u, v) ? off : std::max(off, distance_of_rim(point, at_most) - rim_slack_);
   return result;
 }
 

@@ -19,7 +19,10 @@ namespace tedit::cad {
 /// Where points are with regard to one face. What it needs is made when it is first asked for.
 class face_probe {
 public:
-  explicit face_probe(const TopoDS_Face& face);
+  /// @param rim_slack mm: a point of the face's surface that is so near to its rim is on the face.
+  /// Where two faces touch smoothly a millionth of their gap moves the edge by a thousandth: what
+  /// the surfaces say is exact, where they end is not.
+  explicit face_probe(const TopoDS_Face& face, double rim_slack = 0);
 
   [[nodiscard]] const TopoDS_Face& face() const { return face_; }
   [[nodiscard]] const Bnd_Box& extent() const { return extent_; }
@@ -45,6 +48,7 @@ private:
   [[nodiscard]] double distance_of_rim(const gp_Pnt& point, double at_most) const;
 
   TopoDS_Face face_;
+  double rim_slack_ = 0;
   Bnd_Box extent_;
   std::unique_ptr<BRepAdaptor_Surface> surface_;
   std::unique_ptr<BRepTopAdaptor_FClass2d> inside_;

@@ -23,6 +23,10 @@ namespace {
 
 using triangle = std::array<gp_Pnt, 3>;
 
+/// So many times of what it may be off a face a vertex may be beyond the rim of that: off the
+/// surface of the face that lies behind the rim it would be told.
+constexpr double rim_share = 10;
+
 /// An arc of this chord is at most so far from it, with room for what is not a circle.
 double sagitta(double chord, double curvature) {
   return 0.25 * chord * chord * curvature;
@@ -149,7 +153,7 @@ private:
     facts.faces.clear();
     const auto& faces = result_.part.faces;
     for (Standard_Integer i = 1; i <= faces.Extent() && result_.fault.empty(); ++i) {
-      probes_.emplace_back(TopoDS::Face(faces(i)));
+      probes_.emplace_back(TopoDS::Face(faces(i)), rim_share * tolerance_);
       const auto old = before_.faces.FindIndex(faces(i));
       is_new_.push_back(old == 0);
       facts.faces.push_back(old > 0 ? before_.facts.faces[static_cast<std::size_t>(old - 1)]

@@ -22,8 +22,9 @@ inline constexpr double vertex_share = 1e-6;
 /// - it is valid by OpenCASCADE's checks and has as many solids as the mesh has bodies;
 /// - each of its faces is a surface of the mesh: faces that are as they were keep their ids, others
 ///   get those whose triangles lie on them; each surface of the mesh has a face;
-/// - each new vertex is within `vertex_share` of the part's size of a face of each surface that it
-///   is on, and each new triangle's middle as near as a chord is to its arc;
+/// - each new vertex is within `vertex_share` of the part's size of the surface behind a face of
+///   each surface that it is on, and not more than ten times that beyond the face's rim; each new
+///   triangle's middle is as near as a chord is to its arc;
 /// - each point of a new or changed face is as near to the mesh, by samples of it;
 /// - its volume changed as the mesh's, up to what chords leave out.
 [[nodiscard]] judgement judge(const part_model& before, const TopoDS_Shape& after,

@@ -6,12 +6,12 @@
 #include <span>
 
 #include "mesh/adapt/adapt_mesh.hpp"
-#include "mesh/features/wall_shape.hpp"
+#include "mesh/features/exact_wall.hpp"
 
 namespace tedit {
 
-/// The exact walls behind a version's surfaces: planes, cylinders, cones and spheres, each fitted
-/// when it is first asked for.
+/// The exact walls behind a version's surfaces: planes, cylinders, cones, spheres and
+/// tori, each fitted when it is first asked for.
 class wall_places {
 public:
   explicit wall_places(const mesh_version& mesh) : mesh_(mesh) {}
@@ -25,24 +25,11 @@ public:
   [[nodiscard]] double off(surface_id wall, vec3 p);
 
 private:
-  /// A wall as its distance and the direction in which that grows.
-  struct wall {
-    std::optional<wall_shape> shape;
-    double sphere_radius = 0;  ///< m; 0: none. Its centre is the shape's point.
-
-    [[nodiscard]] bool known() const { return shape.has_value(); }
-    [[nodiscard]] bool flat() const {
-      return known() && sphere_radius == 0 && shape->type == wall_shape::kind::plane;
-    }
-    [[nodiscard]] double distance(vec3 p) const;
-    [[nodiscard]] vec3 normal(vec3 p) const;
-  };
-
-  const wall& wall_of(surface_id id);
-  [[nodiscard]] static wall fitted(const mesh_version& mesh, surface_id id);
+  /// Nothing for free form.
+  const std::optional<exact_wall>& wall_of(surface_id id);
 
   const mesh_version& mesh_;
-  std::map<surface_id, wall> walls_;
+  std::map<surface_id, std::optional<exact_wall>> walls_;
 };
 
 }  // namespace tedit

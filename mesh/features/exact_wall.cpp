@@ -8,6 +8,9 @@
 #include <limits>
 #include <numbers>
 
+#include "mesh/features/by_most.hpp"
+#include "mesh/features/torus_fit.hpp"
+
 namespace tedit {
 
 namespace {
@@ -15,6 +18,10 @@ namespace {
 constexpr fit_limits exact_limits{1e-4, true, true};
 /// A sphere of which so little is there is as well a plane or free form.
 constexpr double widest_sphere = 100;
+/// Four numbers and few points: these must fit the better.
+constexpr std::size_t fewest_on_sphere = 6;
+constexpr std::size_t enough_on_sphere = 8;
+constexpr double few_roundness = 1e-6;
 /// Its corners are no box's: no edge is seen from the centre as wide as this, as a share of the
 /// radius.
 constexpr double widest_edge = 1.1;
@@ -24,7 +31,7 @@ constexpr double on_its_wall = 1e-13;
 constexpr double rounding = 2e-15;
 /// Walls that touch without crossing are as far apart as their fits allow: there so near is near
 /// enough.
-constexpr double touching = 1e-6;
+constexpr double touching = exact_limits.roundness;
 /// A share of the least radius: no chord is so far from its arc.
 constexpr double furthest_move = 0.5;
 constexpr int most_wall_steps = 40;
@@ -34,9 +41,45 @@ constexpr double least_slope = 1e-4;
 /// Walls that meet at less than 35 degrees run on smoothly.
 constexpr double smooth_cosine = 0.82;
 
+struct ball {
+  vec3 centre;
+  double radius = 0;  ///< m
+};
+
+/// The sphere that all points lie on; nothing for fewer than six, for others, and for one that is
+/// too large to be told from a plane.
+std::optional<ball> fit_ball(std::span<const vec3> points) {
+  if (points.size() < fewest_on_sphere)
+    return std::nullopt;
+  const double roundness =
+    points.size() < enough_on_sphere ? few_roundness : exact_limits.roundness;
+  vec3 middle;
+  for (const auto& p : points)
+    middle += p / static_cast<double>(points.size());
+  // |p|^2 = 2 c . p + d is linear in centre and radius.
+  Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
+  Eigen::Vector4d right = Eigen::Vector4d::Zero();
+  double size = 0;
+  for (const auto& p : points) {
+    const vec3 d = p - middle;
+    const Eigen::Vector4d row(2 * d.x, 2 * d.y, 2 * d.z, 1);
+    normal += row * row.transpose();
+    right += row * dot(d, d);
+    size = std::max(size, norm(d));
+  }
+  const Eigen::Vector4d x = normal.fullPivLu().solve(right);
+  const vec3 c{x[0], x[1], x[2]};
+  const double radius = std::sqrt(x[3] + dot(c, c));
+  if (!(radius > 0) || !(radius < widest_sphere * size))
+    return std::nullopt;
+  const bool round = std::ranges::all_of(
+    points, [&](vec3 p) { return std::abs(norm(p - middle - c) - radius) <= roundness * radius; });
+  return round ? std::optional(ball{middle + c, radius}) : std::nullopt;
+}
+
 std::optional<exact_wall> sphere_of(const facet_corners& cloud) {
   const auto& points = cloud.points;
-  const auto found = fit_ball(points, exact_limits.roundness);
+  const auto found = fit_ball(points);
   if (!found)
     return std::nullopt;
   const bool fine = std::ranges::all_of(cloud.triangles, [&](const auto& t) {
@@ -51,6 +94,55 @@ std::optional<exact_wall> sphere_of(const facet_corners& cloud) {
   result.shape.point = found->centre;
   result.sphere_radius = found->radius;
   return result;
+}
+
+/// The plane that most points are on, from one that is near.
+void bring_to_most(std::span<const vec3> points, wall_shape& plane) {
+  std::vector<double> off(points.size());
+  double size = 0;
+  for (const auto& p : points)
+    size = std::max(size, norm(p - plane.point));
+  for (int round = 0; round < rounds_by_most; ++round) {
+    for (std::size_t i = 0; i < points.size(); ++i)
+      off[i] = std::abs(dot(points[i] - plane.point, plane.axis));
+    const auto weights = weights_by_most(off, rounding * size);
+    vec3 centre;
+    double sum = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      centre += weights[i] * points[i];
+      sum += weights[i];
+    }
+    plane.point = centre / sum;
+    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const vec3 d = points[i] - plane.point;
+      const Eigen::Vector3d v(d.x, d.y, d.z);
+      spread += weights[i] * v * v.transpose();
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solved(spread);
+    const Eigen::Vector3d n = solved.eigenvectors().col(0);
+    const vec3 normal{n[0], n[1], n[2]};
+    plane.axis = dot(normal, plane.axis) < 0 ? -normal : normal;
+  }
+}
+
+std::optional<exact_wall> torus_of(const facet_corners& cloud) {
+  const auto found = fit_torus(cloud);
+  if (!found)
+    return std::nullopt;
+  exact_wall result;
+  result.shape.point = found->centre;
+  result.shape.axis = found->axis;
+  result.shape.radius = found->radius;
+  result.tube_radius = found->tube_radius;
+  return result;
+}
+
+/// From the middle of a torus' tube to p.
+vec3 from_tube(const wall_shape& ring, vec3 p) {
+  const vec3 d = p - ring.point;
+  const vec3 across = d - dot(d, ring.axis) * ring.axis;
+  return d - ring.radius * normalized(across);
 }
 
 double missing(const wall_demand& d, vec3 p) {
@@ -96,44 +188,21 @@ std::vector<wall_demand> without_smooth(const std::vector<wall_demand>& all, vec
 
 }  // namespace
 
-std::optional<ball> fit_ball(std::span<const vec3> points, double roundness) {
-  if (points.size() < 8)
-    return std::nullopt;
-  vec3 middle;
-  for (const auto& p : points)
-    middle += p / static_cast<double>(points.size());
-  // |p|^2 = 2 c . p + d is linear in centre and radius.
-  Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
-  Eigen::Vector4d right = Eigen::Vector4d::Zero();
-  double size = 0;
-  for (const auto& p : points) {
-    const vec3 d = p - middle;
-    const Eigen::Vector4d row(2 * d.x, 2 * d.y, 2 * d.z, 1);
-    normal += row * row.transpose();
-    right += row * dot(d, d);
-    size = std::max(size, norm(d));
-  }
-  const Eigen::Vector4d x = normal.fullPivLu().solve(right);
-  const vec3 c{x[0], x[1], x[2]};
-  const double radius = std::sqrt(x[3] + dot(c, c));
-  if (!(radius > 0) || !(radius < widest_sphere * size))
-    return std::nullopt;
-  const bool round = std::ranges::all_of(
-    points, [&](vec3 p) { return std::abs(norm(p - middle - c) - radius) <= roundness * radius; });
-  return round ? std::optional(ball{middle + c, radius}) : std::nullopt;
-}
-
 double exact_wall::distance(vec3 p) const {
+  if (tube_radius > 0)
+    return norm(from_tube(shape, p)) - tube_radius;
   return sphere_radius > 0 ? norm(p - shape.point) - sphere_radius : shape.distance(p);
 }
 
 vec3 exact_wall::normal(vec3 p) const {
+  if (tube_radius > 0)
+    return normalized(from_tube(shape, p));
   return sphere_radius > 0 ? normalized(p - shape.point) : shape.normal(p);
 }
 
 double exact_wall::radius_at(vec3 p) const {
-  if (sphere_radius > 0)
-    return sphere_radius;
+  if (sphere_radius > 0 || tube_radius > 0)
+    return sphere_radius + tube_radius;
   return flat() ? std::numeric_limits<double>::infinity()
                 : shape.radius + shape.slope * dot(p - shape.point, shape.axis);
 }
@@ -141,9 +210,13 @@ double exact_wall::radius_at(vec3 p) const {
 std::optional<exact_wall> fit_exact(const facet_corners& wall) {
   if (wall.triangles.empty())
     return std::nullopt;
-  if (const auto shape = fit_wall(wall.points, wall.triangles, exact_limits))
-    return exact_wall{*shape, 0};
-  return sphere_of(wall);
+  if (auto shape = fit_wall(wall.points, wall.triangles, exact_limits)) {
+    if (shape->type == wall_shape::kind::plane)
+      bring_to_most(wall.points, *shape);
+    return exact_wall{*shape};
+  }
+  auto sphere = sphere_of(wall);
+  return sphere ? sphere : torus_of(wall);
 }
 
 std::array<double, 2> gaps_around(const wall_shape& shape, std::span<const vec3> points) {

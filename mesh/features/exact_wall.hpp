@@ -9,33 +9,25 @@
 
 namespace tedit {
 
-/// The exact surface behind a wall: a plane, a cylinder, a cone or a sphere.
+/// The exact surface behind a wall: a plane, a cylinder, a cone, a sphere or a torus.
 struct exact_wall {
-  wall_shape shape;
-  double sphere_radius = 0;  ///< m; 0: no sphere. Its centre is the shape's point.
+  wall_shape shape;          ///< Of a sphere the centre as point; of a torus axis and radius, too.
+  double sphere_radius = 0;  ///< m; 0: no sphere.
+  double tube_radius = 0;    ///< m; 0: no torus.
 
   [[nodiscard]] bool flat() const {
-    return sphere_radius == 0 && shape.type == wall_shape::kind::plane;
+    return sphere_radius == 0 && tube_radius == 0 && shape.type == wall_shape::kind::plane;
   }
-  /// Signed, m: of a sphere positive outside.
+  /// Signed, m: of a sphere or a torus positive outside.
   [[nodiscard]] double distance(vec3 p) const;
   /// Unit: the gradient of `distance`.
   [[nodiscard]] vec3 normal(vec3 p) const;
-  /// m: of the wall's circle at p; that of a plane is infinite.
+  /// m: of the wall's circle at p, the narrower one of a torus; that of a plane is infinite.
   [[nodiscard]] double radius_at(vec3 p) const;
 };
 
-struct ball {
-  vec3 centre;
-  double radius = 0;  ///< m.
-};
-
-/// The sphere that all points lie on within `roundness` of its radius; nothing for fewer than
-/// eight, for others, and for one that is too large to be told from a plane. Cost: O(points).
-[[nodiscard]] std::optional<ball> fit_ball(std::span<const vec3> points, double roundness);
-
-/// Fitted to all corners, within 1e-4 of the radius; nothing for free form. Each point is a corner
-/// of some triangle. Cost: O(triangles).
+/// Fitted to all corners, within 1e-4 of the radius; nothing for free form. Each
+/// point is a corner of some triangle. Cost: O(triangles).
 [[nodiscard]] std::optional<exact_wall> fit_exact(const facet_corners& wall);
 
 /// How wide the gaps between corners around a cylinder's or cone's axis are, rad: the two widest,

@@ -12,7 +12,7 @@ namespace tedit {
 namespace {
 
 /// In the names of groups blanks part words, and '#' begins a comment.
-std::string group_name(const mesh_version& mesh, surface_id surface) {
+std::string group_of(const mesh_version& mesh, surface_id surface) {
   const auto* row = mesh.find_surface(surface);
   std::string result = row && !row->name.empty() ? row->name + "_" : std::string("surface_");
   std::ranges::replace_if(
@@ -64,7 +64,7 @@ expected<void> obj::write(const file_target& to, const mesh_version& mesh,
       out << "v " << p.x << ' ' << p.y << ' ' << p.z << '\n';
     }
     for (const auto& [surface, facets] : groups) {
-      out << "g " << group_name(mesh, surface) << '\n';
+      out << "g " << group_of(mesh, surface) << '\n';
       for (const auto f : facets) {
         out << 'f';
         for (const auto v : mesh.facet(f).v)

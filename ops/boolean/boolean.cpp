@@ -34,8 +34,10 @@ constexpr double flush_layer = 0.15;
 /// `cavity_finder` asks for.
 constexpr double near_share = 0.06;
 
-/// What moves less than this share of the local size has stayed where it was asked to be.
+/// What moves less than this share of the local size has stayed where it was asked to be; and of
+/// the part's size: a millionth of that is what a CAD model is held against.
 constexpr double exact = 1e-4;
+constexpr double exact_of_part = 3e-7;
 
 /// How a boolean is tried: rings of tets around what the tool crosses, steps from anything new
 /// within which the part's triangles may change, and how the surface is cleaned.
@@ -50,7 +52,7 @@ constexpr std::array ways{way{1, 2, {exact, 0.005, 0.05}}, way{2, 4, {exact, 0.0
 
 /// What lies between the chords and the arcs of a coarse part's round walls may be as much as a
 /// small edit: of that, no more than this share is put on with new vertices.
-constexpr double most_put_on = 0.05;
+constexpr double most_put_on = 0.125;
 
 /// Tools of more triangles are tried twice only, fillings of more tets are not mended besides.
 constexpr std::size_t many_triangles = 8000;
@@ -70,6 +72,8 @@ public:
         request_(request),
         run_(run),
         size_(local_size(*mesh, tool)) {
+    const auto extent = extent_of(*mesh);
+    part_size_ = norm(extent.high - extent.low);
     find_near(tool);
     flush_ =
       make_flush(*mesh, tool, request.mode, near_, flush_tolerance * size_, flush_layer * size_);
@@ -223,7 +227,10 @@ private:
       return fail(part.error());
     auto& surface = part->surface;
     const auto before = surface.mesh;
-    clean_surface(surface.mesh, how.clean, run.cancel);
+    auto settings = how.clean;
+    if (settings.off_plane <= exact)
+      settings.off_plane = std::min(settings.off_plane, exact_of_part * part_size_ / size_);
+    clean_surface(surface.mesh, settings, run.cancel);
     if (run.cancel.cancelled())
       return fail(ec::cancelled, "the edit was cancelled");
     const double deviation = deviation_of(before, surface.mesh);
@@ -378,6 +385,7 @@ private:
   const boolean_request& request_;
   const execution& run_;
   double size_ = 0;
+  double part_size_ = 0;
   std::vector<facet_id> near_;
   flush_tool flush_;
   std::optional<round_walls> walls_;

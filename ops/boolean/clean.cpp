@@ -114,8 +114,7 @@ private:
       const double side = longest_side(t);
       const double height = side > 0 ? norm(n) / side : 0;
       const vec3 normal = mesh_.faces[f].normal;
-      if (height > 2 * tolerance * size &&
-          std::abs(dot(step, normal)) > std::max(settings_.off_plane, 1e-4) * size)
+      if (height > 2 * tolerance * size && std::abs(dot(step, normal)) > settings_.off_plane * size)
         return false;
       if (height > 1.5 * tolerance * size && dot(n, normal) < weld_turn_limit * norm(n))
         return false;
@@ -194,8 +193,7 @@ private:
     // On a crease only what leaves its faces where they are.
     if (mesh_.is_crease(u, v))
       for (const auto g : all)
-        if (std::abs(dot(place - foot, mesh_.faces[g].normal)) >
-            std::max(settings_.off_plane, 1e-4) * size)
+        if (std::abs(dot(place - foot, mesh_.faces[g].normal)) > settings_.off_plane * size)
           return false;
     const auto middle = mesh_.split(u, v, place);
     return middle != no_id &&

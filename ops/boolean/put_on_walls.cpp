@@ -83,11 +83,15 @@ private:
         if (std::ranges::find(seen, face.label) == seen.end())
           demands.push_back({round, {}, {}, false});
         seen.push_back(face.label);
-      } else if (std::ranges::none_of(demands, [&](const wall_demand& d) {
-                   return !d.wall && std::abs(dot(d.normal, face.normal)) > one_plane_cosine;
-                 })) {
-        demands.push_back({nullptr, was_[v], face.normal, wall.free_form});
+        continue;
       }
+      // A facet whose corners are a little off its plane is no part of that.
+      const wall_demand own{nullptr, wall.plane ? wall.plane->point : was_[v],
+                            wall.plane ? wall.plane->axis : face.normal, wall.free_form};
+      if (std::ranges::none_of(demands, [&](const wall_demand& d) {
+            return !d.wall && std::abs(dot(d.normal, own.normal)) > one_plane_cosine;
+          }))
+        demands.push_back(own);
     }
     return demands;
   }
@@ -146,7 +150,7 @@ private:
     if (!is_new(v))
       return;
     const auto demands = demands_at(v);
-    if (!is_round(demands))
+    if (!is_round(demands) && meets(demands, v, in_plane))
       return;
     const auto place = place_on_walls(demands, was_[v]);
     all_found_ &= place.found;
@@ -303,7 +307,7 @@ private:
   bool contract(std::uint32_t u, std::uint32_t v) {
     if (!may_slide(u) || !mesh_.may_go(u, v) ||
         (mesh_.freedom_of(u) != surface_mesh::freedom::face &&
-         (!mesh_.is_crease(u, v) || !meets(demands_at(u), v))))
+         (!mesh_.is_crease(u, v) || !meets(demands_at(u), v, off_free_form))))
       return false;
     double before = 1;
     double after = 1;
@@ -326,9 +330,10 @@ private:
     return true;
   }
 
-  /// Does a vertex lie on all of it, to rounding?
-  [[nodiscard]] bool meets(const std::vector<wall_demand>& demands, std::uint32_t v) const {
-    const double near = off_free_form * mesh_.vertices[v].size;
+  /// Does a vertex lie on all of it, by this share of the local size?
+  [[nodiscard]] bool meets(const std::vector<wall_demand>& demands, std::uint32_t v,
+                           double share) const {
+    const double near = share * mesh_.vertices[v].size;
     return std::ranges::all_of(demands, [&](const wall_demand& d) {
       return std::abs(d.wall ? d.wall->distance(at(v)) : dot(d.normal, at(v) - d.point)) <= near;
     });

@@ -114,6 +114,8 @@ void round_walls::add(wall& to, const facet_corners& corners, bool is_part) cons
   const auto shape = exact_of(corners);
   if (!shape)
     to.free_form = true;
+  else if (shape->flat() && is_part)
+    to.plane = shape->shape;
   else if (!shape->flat() && is_meant_round(*shape, corners, is_part))
     to.round.push_back(*shape);
 }

@@ -20,8 +20,9 @@ public:
       : part_(part), tool_(tool), continues_(continues) {}
 
   struct wall {
-    std::vector<exact_wall> round;  ///< None: it is flat, or of no known shape.
-    bool free_form = false;         ///< Of no known shape.
+    std::vector<exact_wall> round;    ///< None: it is flat, or of no known shape.
+    std::optional<wall_shape> plane;  ///< Of a flat wall of the part: that of most of its corners.
+    bool free_form = false;           ///< Of no known shape.
 
     /// The one that a point is nearest to; null where there is none.
     [[nodiscard]] const exact_wall* nearest(vec3 p) const;
@@ -40,7 +41,7 @@ private:
   const std::vector<std::optional<surface_id>>& continues_;
   std::map<surface_id, wall> part_walls_;
   std::map<std::size_t, wall> tool_walls_;
-  const wall unknown_{{}, true};
+  const wall unknown_{{}, {}, true};
 };
 
 /// Does the tool have facets of the part for faces that continue a surface, so that it moves walls?

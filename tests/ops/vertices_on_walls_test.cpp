@@ -82,6 +82,20 @@ protected:
     return most;
   }
 
+  static std::vector<vec3> new_vertices_of(const mesh_version& before, const mesh_version& after,
+                                           surface_id wall) {
+    std::set<vertex_id> ids;
+    for (const auto f : facets_of(after, std::array{wall}))
+      for (const auto v : after.facet(f).v)
+        if (v >= before.vertex_slots() || !before.is_live_vertex(v) ||
+            before.position(v) != after.position(v))
+          ids.insert(v);
+    std::vector<vec3> places;
+    for (const auto v : ids)
+      places.push_back(after.position(v));
+    return places;
+  }
+
   std::unique_ptr<services> host_ = make_host_services();
   version_ptr block_ = test::box_mesh({8, 8, 8}, {1, 1, 1});
   const by_hand bore_{"bore", {0.5, 0.5, 0.5}, {0, 0, 1}, 0.2};
@@ -143,6 +157,51 @@ TEST_F(VerticesOnWalls, ABarAcrossABoreEndsOnItsWall) {
   const auto added = made(bored(), rod(bar, 0.5, 24), boolean_mode::add);
 
   EXPECT_LT(furthest_off(*added.candidate, {bore_, bar}), 1e-12);
+}
+
+TEST_F(VerticesOnWalls, AHoleInAFilletHasItsVerticesOnTheTorus) {
+  // A pin of 0.15 on a foot of 0.25, a fillet of 0.1 between them: two facets along the arc.
+  constexpr double leg = 0.1 * std::numbers::sqrt2 / 2;
+  const auto pin = revolve(make_frame({0.5, 0.5, 1}, {0, 0, 1}),
+                           {{0, 0.35, ""},
+                            {0.15, 0.35, "top"},
+                            {0.15, 0.2, "pin"},
+                            {0.25 - leg, 0.2 - leg, "fillet"},
+                            {0.25, 0.1, "fillet"},
+                            {0.25, -0.1, "foot"},
+                            {0, -0.1, "end"}},
+                           16, 0.12);
+  const auto pinned = made(block_, pin, boolean_mode::add).candidate;
+  const by_hand hole{"hole", {0.7, 0.52, 1.1}, {0, 0, 1}, 0.04};
+
+  const auto cut = made(pinned, rod(hole, 0.3, 24));
+
+  EXPECT_LT(furthest_off(*cut.candidate, {hole}), 1e-12);
+  const auto off = [](vec3 p) {
+    return std::abs(std::hypot(std::hypot(p.x - 0.5, p.y - 0.5) - 0.25, p.z - 1.2) - 0.1);
+  };
+  const auto& rows = pinned->surfaces();
+  const auto fillet = std::ranges::find(rows, "fillet", &surface_info::name);
+  ASSERT_NE(fillet, rows.end());
+  const auto vertices = new_vertices_of(*pinned, *cut.candidate, fillet->id);
+  EXPECT_GT(vertices.size(), 8u);
+  for (const auto& p : vertices)
+    EXPECT_LT(off(p), 1e-12);
+}
+
+TEST_F(VerticesOnWalls, AFlatWallWhoseCornersAreALittleOffItIsThePlaneOfTheOthers) {
+  // As CAD programs leave them where faces meet.
+  const auto askew = test::box_mesh({8, 8, 8}, {1, 1, 1}, [](vec3 p) {
+    return p.z == 1 && p.x == 0 ? p + vec3{0, 0, p.y < 0.5 ? 3e-7 : -2e-7} : p;
+  });
+  const by_hand hole{"hole", {0.11, 0.52, 1}, {0, 0, 1}, 0.05};
+
+  const auto cut = made(askew, rod(hole, 0.4, 24));
+
+  const auto vertices = new_vertices_of(*askew, *cut.candidate, 6);
+  EXPECT_GT(vertices.size(), 8u);
+  for (const auto& p : vertices)
+    EXPECT_NEAR(p.z, 1, 1e-12);
 }
 
 TEST_F(VerticesOnWalls, OnTurnedAndMovedPartsToo) {
