@@ -127,11 +127,15 @@ public:
   }
 
   expected<boolean_result> draft() {
-    const auto cut = cut_open(make_finder(), ways.front(), run_);
-    if (!cut)
-      return fail(cut.error());
+    const auto opened = cut_open(make_finder(), ways.front().rings, run_);
+    if (!opened)
+      return fail(opened.error());
+    const auto surface = surface_of(**opened, ways.front().steps);
+    if (!surface)
+      return fail(surface.error());
     auto builder = begin();
-    auto made = replace_cavity(builder, cut->hollow, cut->surface, flush_.tool, filling::fan, run_);
+    auto made =
+      replace_cavity(builder, (*opened)->hollow, *surface, flush_.tool, filling::fan, run_);
     if (!made)
       return fail(made.error());
     if (builder.tet_count() == 0)
@@ -145,11 +149,10 @@ public:
   }
 
 private:
-  /// The part taken apart where the tool is: what goes, and the surface that its tets leave.
-  struct cut_part {
+  /// The part taken apart where the tool is: what goes, and what the exact boolean makes of it.
+  struct cut_cavity {
     cavity hollow;
     corefined cut;
-    labelled_surface surface;
   };
 
   [[nodiscard]] cavity_finder make_finder() const {
@@ -202,8 +205,12 @@ private:
     return kept(one) > kept(other);
   }
 
-  expected<cut_part> cut_open(const cavity_finder& finder, const way& how, const execution& run) {
-    auto hollow = finder.find(how.rings);
+  /// Made once for so many rings: most ways clean what an earlier one has cut.
+  expected<const cut_cavity*> cut_open(const cavity_finder& finder, int rings,
+                                       const execution& run) {
+    if (const auto known = cuts_.find(rings); known != cuts_.end())
+      return &known->second;
+    auto hollow = finder.find(rings);
     if (!hollow)
       return fail(hollow.error());
     run.report(0.2, "cutting");
@@ -213,19 +220,23 @@ private:
     if (!hollow->tets.empty() && changes_nothing(*hollow, *cut))
       return fail(ec::empty_selection, "the tool changes nothing of the part",
                   "Place it so that it cuts the part's surface");
-    auto surface = label_surface(*mesh_, *hollow, flush_.tool, continues_, *cut, request_.mode,
-                                 size_, how.steps);
-    if (!surface)
-      return fail(surface.error());
-    return cut_part{std::move(*hollow), std::move(*cut), std::move(*surface)};
+    return &cuts_.emplace(rings, cut_cavity{std::move(*hollow), std::move(*cut)}).first->second;
+  }
+
+  [[nodiscard]] expected<labelled_surface> surface_of(const cut_cavity& of, int steps) const {
+    return label_surface(*mesh_, of.hollow, flush_.tool, continues_, of.cut, request_.mode, size_,
+                         steps);
   }
 
   expected<boolean_result> try_way(const cavity_finder& finder, const way& how,
                                    const execution& run) {
-    auto part = cut_open(finder, how, run);
-    if (!part)
-      return fail(part.error());
-    auto& surface = part->surface;
+    const auto opened = cut_open(finder, how.rings, run);
+    if (!opened)
+      return fail(opened.error());
+    auto labelled = surface_of(**opened, how.steps);
+    if (!labelled)
+      return fail(labelled.error());
+    auto& surface = *labelled;
     const auto before = surface.mesh;
     auto settings = how.clean;
     if (settings.off_plane <= exact)
@@ -238,7 +249,7 @@ private:
       return fail(ec::mesher_failed, "the result would be off what was asked for by " +
                                        number_text(1e3 * deviation) + " mm");
     run.report(0.5, "meshing");
-    return filled_round(part->hollow, surface, part->cut, deviation, run);
+    return filled_round((*opened)->hollow, surface, (*opened)->cut, deviation, run);
   }
 
   /// With new vertices on the round walls; where no good tets come of that, with them on the
@@ -389,6 +400,7 @@ private:
   std::vector<facet_id> near_;
   flush_tool flush_;
   std::optional<round_walls> walls_;
+  std::map<int, cut_cavity> cuts_;  ///< By rings.
 };
 
 }  // namespace
