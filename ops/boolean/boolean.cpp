@@ -52,7 +52,7 @@ constexpr std::array ways{way{1, 2, {exact, 0.005, 0.05}}, way{2, 4, {exact, 0.0
 
 /// What lies between the chords and the arcs of a coarse part's round walls may be as much as a
 /// small edit: of that, no more than this share is put on with new vertices.
-constexpr double most_put_on = 0.125;
+constexpr double most_put_on = 0.05;
 
 /// Tools of more triangles are tried twice only, fillings of more tets are not mended besides.
 constexpr std::size_t many_triangles = 8000;

@@ -160,25 +160,21 @@ TEST_F(VerticesOnWalls, ABarAcrossABoreEndsOnItsWall) {
 }
 
 TEST_F(VerticesOnWalls, AHoleInAFilletHasItsVerticesOnTheTorus) {
-  // A pin of 0.15 on a foot of 0.25, a fillet of 0.1 between them: two facets along the arc.
-  constexpr double leg = 0.1 * std::numbers::sqrt2 / 2;
-  const auto pin = revolve(make_frame({0.5, 0.5, 1}, {0, 0, 1}),
-                           {{0, 0.35, ""},
-                            {0.15, 0.35, "top"},
-                            {0.15, 0.2, "pin"},
-                            {0.25 - leg, 0.2 - leg, "fillet"},
-                            {0.25, 0.1, "fillet"},
-                            {0.25, -0.1, "foot"},
-                            {0, -0.1, "end"}},
-                           16, 0.12);
+  // A pin of 0.12 on a foot of 0.27, a fillet of 0.15 between them: three facets along the arc.
+  std::vector<section_point> section{{0, 0.4, ""}, {0.12, 0.4, "top"}, {0.12, 0.25, "pin"}};
+  for (const double angle : {210 * pi / 180, 240 * pi / 180, 1.5 * pi})
+    section.push_back({0.27 + 0.15 * std::cos(angle), 0.25 + 0.15 * std::sin(angle), "fillet"});
+  section.push_back({0.27, -0.1, "foot"});
+  section.push_back({0, -0.1, "end"});
+  const auto pin = revolve(make_frame({0.5, 0.5, 1}, {0, 0, 1}), section, 16, 0.12);
   const auto pinned = made(block_, pin, boolean_mode::add).candidate;
-  const by_hand hole{"hole", {0.7, 0.52, 1.1}, {0, 0, 1}, 0.04};
+  const by_hand hole{"hole", {0.69, 0.52, 1.1}, {0, 0, 1}, 0.035};
 
   const auto cut = made(pinned, rod(hole, 0.3, 24));
 
   EXPECT_LT(furthest_off(*cut.candidate, {hole}), 1e-12);
   const auto off = [](vec3 p) {
-    return std::abs(std::hypot(std::hypot(p.x - 0.5, p.y - 0.5) - 0.25, p.z - 1.2) - 0.1);
+    return std::abs(std::hypot(std::hypot(p.x - 0.5, p.y - 0.5) - 0.27, p.z - 1.25) - 0.15);
   };
   const auto& rows = pinned->surfaces();
   const auto fillet = std::ranges::find(rows, "fillet", &surface_info::name);
