@@ -39,7 +39,7 @@ constexpr int most_wall_steps = 40;
 /// them.
 constexpr double least_slope = 1e-4;
 /// Walls that meet at less than 35 degrees run on smoothly.
-constexpr double smooth_cosine = 0.82;
+constexpr double runs_on_cosine = 0.82;
 
 struct ball {
   vec3 centre;
@@ -180,7 +180,7 @@ std::vector<wall_demand> without_smooth(const std::vector<wall_demand>& all, vec
   std::vector<wall_demand> result;
   for (const auto& d : all)
     if (!d.free_form || std::ranges::none_of(all, [&](const wall_demand& other) {
-          return other.wall && std::abs(dot(other.wall->normal(start), d.normal)) > smooth_cosine;
+          return other.wall && std::abs(dot(other.wall->normal(start), d.normal)) > runs_on_cosine;
         }))
       result.push_back(d);
   return result;
