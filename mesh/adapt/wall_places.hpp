@@ -10,8 +10,8 @@
 
 namespace tedit {
 
-/// The exact walls behind a version's surfaces: planes, cylinders, cones, spheres and
-/// tori, each fitted when it is first asked for.
+/// The exact walls behind a version's surfaces: planes, cylinders, cones, spheres and tori, each
+/// fitted when it is first asked for.
 class wall_places {
 public:
   explicit wall_places(const mesh_version& mesh) : mesh_(mesh) {}
