@@ -51,10 +51,6 @@ public:
 
   expected<labelled_surface> label() {
     add_faces();
-    if (has_bare_bond())
-      return fail(ec::invalid_argument,
-                  "the tool lays bare a face between two regions that has no surface id",
-                  "Give it one, in the file that the part came from");
     if (!shell_fits())
       return fail(ec::mesher_failed, damaged);
     set_sizes();
@@ -69,27 +65,35 @@ private:
     return normalized(area_vector(s.points[t[0]], s.points[t[1]], s.points[t[2]]));
   }
 
-  std::int32_t label_of(std::optional<surface_id> surface, bool between = false) {
+  std::int32_t label_of(const surface_labels::part_surface& row) {
     auto& part = result_.labels.part;
-    const surface_labels::part_surface row{surface, between};
     const auto found = std::ranges::find(part, row);
     if (found == part.end())
       part.push_back(row);
     return static_cast<std::int32_t>(std::ranges::find(part, row) - part.begin());
   }
 
-  /// An interface that has no id is none that could be bare.
-  [[nodiscard]] std::optional<surface_id> bond_of(const cavity::side& side) const {
-    if (side.bond == no_id)
-      return std::nullopt;
-    return mesh_.data().interfaces[side.bond].surface;
-  }
-
-  std::int32_t label_of(const cavity::side& side, bool between) {
+  std::int32_t label_of(std::uint32_t side_index, bool between) {
+    const auto& side = hollow_.sides[side_index];
     if (side.behind != no_id)
       return surface_labels::shell;
-    return side.twin == no_id ? label_of(mesh_.facet(side.facet).surface, between)
-                              : label_of(bond_of(side), between);
+    if (side.twin == no_id)
+      return label_of({mesh_.facet(side.facet).surface, between, {}});
+    if (side.bond != no_id)
+      return label_of({mesh_.data().interfaces[side.bond].surface, between, {}});
+    return label_of({std::nullopt, between, bare_name(side_index, side.twin)});
+  }
+
+  [[nodiscard]] std::string bare_name(std::uint32_t one, std::uint32_t other) const {
+    std::array both{hollow_.shares[hollow_.share_of(one)].region,
+                    hollow_.shares[hollow_.share_of(other)].region};
+    std::ranges::sort(both);
+    const auto name_of = [&](region_id id) {
+      const auto found = std::ranges::find(mesh_.regions(), id, &region_info::id);
+      return found == mesh_.regions().end() || found->name.empty() ? "region " + std::to_string(id)
+                                                                   : found->name;
+    };
+    return "between " + name_of(both[0]) + " and " + name_of(both[1]);
   }
 
   void add_faces() {
@@ -97,14 +101,14 @@ private:
     for (std::size_t i = 0; i < cut_.points.size(); ++i)
       mesh.vertices.push_back({cut_.points[i], size_, cut_.origin[i], false});
     // The part's labels first, so that those of the tool stand behind them.
-    for (const auto& side : hollow_.sides)
-      (void)label_of(side, false);
+    for (std::uint32_t i = 0; i < hollow_.sides.size(); ++i)
+      (void)label_of(i, false);
     for (std::size_t i = 0; i < cut_.sides.size(); ++i)
       if (cut_.sides[i][1] >= 0)
-        (void)label_of(hollow_.sides[cut_.parent[i]], true);
+        (void)label_of(static_cast<std::uint32_t>(cut_.parent[i]), true);
     for (const auto& id : continues_)
       if (id)
-        (void)label_of(*id);
+        (void)label_of({*id, false, {}});
     result_.labels.tool_faces = tool_.names.size();
     const auto first_of_tool = static_cast<std::int32_t>(result_.labels.part.size());
     for (std::size_t i = 0; i < cut_.triangles.size(); ++i) {
@@ -119,7 +123,7 @@ private:
         f.normal = mode_ == boolean_mode::cut ? -normal : normal;
         const auto face = tool_.faces[of];
         f.label = face < continues_.size() && continues_[face]
-                    ? label_of(*continues_[face])
+                    ? label_of({*continues_[face], false, {}})
                     : first_of_tool + static_cast<std::int32_t>(face);
       } else {
         const auto& side = hollow_.sides[parent];
@@ -127,7 +131,7 @@ private:
         const double way = hollow_.share_of(parent) == f.sides[0] ? 1 : -1;
         f.normal = way * normal_of(hollow_.surface, parent);
         f.frozen = side.behind != no_id;
-        f.label = label_of(side, f.sides[1] >= 0);
+        f.label = label_of(static_cast<std::uint32_t>(parent), f.sides[1] >= 0);
       }
       mesh.faces.push_back(f);
     }
@@ -161,17 +165,6 @@ private:
         return false;
     }
     return true;
-  }
-
-  /// A wall that was an interface without an id, so that no surface is known that it could be.
-  [[nodiscard]] bool has_bare_bond() const {
-    const auto& labels = result_.labels;
-    return std::ranges::any_of(result_.mesh.faces, [&](const auto& f) {
-      if (f.label < 0 || labels.is_tool(f.label))
-        return false;
-      const auto& row = labels.part[f.label];
-      return !row.id && !row.between;
-    });
   }
 
   /// Points of the part want edges as they have; new ones what is less, that of the part's triangle
@@ -344,9 +337,17 @@ private:
     }
     const auto& row = labels.part[f.label];
     if (!row.between)
-      change_.facets.push_back({corners, *row.id});
+      change_.facets.push_back({corners, row.id ? *row.id : bare_surface(row.bare_name)});
     else if (row.id)
       interfaces_.push_back({corners, 0, *row.id});
+  }
+
+  /// What an interface without an id becomes as a wall.
+  surface_id bare_surface(const std::string& name) {
+    const auto [row, fresh] = bare_.try_emplace(name, surface_id{});
+    if (fresh)
+      row->second = builder_.add_surface(name);
+    return row->second;
   }
 
   void renew_interfaces() {
@@ -370,6 +371,7 @@ private:
   std::vector<vertex_id> vertices_;
   cavity_change change_;
   std::vector<interface_facet> interfaces_;
+  std::map<std::string, surface_id> bare_;
   replaced result_;
 };
 

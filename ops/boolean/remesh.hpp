@@ -13,10 +13,12 @@ namespace tedit::ops {
 /// What the triangles of a boolean's result belong to: surfaces of the part first, then faces of
 /// the tool.
 struct surface_labels {
-  /// A surface of the part, or an interface between two of its regions, which may have no id.
+  /// A surface of the part, or an interface between two of its regions, which may have no id: as a
+  /// wall it becomes a new surface.
   struct part_surface {
     std::optional<surface_id> id;
     bool between = false;
+    std::string bare_name{};  ///< Where there is no id: what it is called then.
     friend bool operator==(const part_surface&, const part_surface&) = default;
   };
   std::vector<part_surface> part;
@@ -39,8 +41,7 @@ struct labelled_surface {
 /// The result of the exact boolean with labels, sizes and what must stay: the part's triangles
 /// more than `free_steps` from anything new. Errors: `mesher_failed`
 /// where a triangle against a tet that stays was cut, or where what was taken does not hang
-/// together with what goes; `invalid_argument` where an interface without an id would become a
-/// wall.
+/// together with what goes.
 /// @param continues what each face of the tool is a part of; may be empty.
 [[nodiscard]] expected<labelled_surface> label_surface(
   const mesh_version& mesh, const cavity& hollow, const tool_surface& tool,

@@ -147,12 +147,12 @@ public:
   /// part keep their ids, faces of the tool get new ones. Faces that are flush come out flush. Runs
   /// in child processes with time limits.
   /// Where regions are bonded each is cut, and stays bonded where both are left; an addition
-  /// becomes part of the one that most of it stands on, and is bonded to the others. Errors:
-  /// `invalid_argument` for a tool that is not closed, is turned inside out or lays bare an
-  /// interface without a surface id; `empty_selection` where it does not meet the part or leaves
-  /// nothing of it; `mesher_failed` where no way led to a mesh, `postcondition_failed` where none
-  /// led to good tets; `timeout`, `cancelled`. Cost: follows the tool's surface; 60 ms for a drill
-  /// hole.
+  /// becomes part of the one that most of it stands on, and is bonded to the others. An interface
+  /// without a surface id that is laid bare gets a new one. Errors: `invalid_argument` for a tool
+  /// that is not closed or is turned inside out; `empty_selection` where it does not meet the part
+  /// or leaves nothing of it; `mesher_failed` where no way led to a mesh, `postcondition_failed`
+  /// where none led to good tets; `timeout`, `cancelled`. Cost: follows the tool's surface; 60 ms
+  /// for a drill hole.
   [[nodiscard]] virtual expected<boolean_result> boolean(const version_ptr& mesh,
                                                          const tool_surface& tool,
                                                          const boolean_request& request,

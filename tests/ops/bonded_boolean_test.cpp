@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "mesh/checks.hpp"
@@ -15,8 +14,6 @@
 
 namespace tedit::ops {
 namespace {
-
-using ::testing::HasSubstr;
 
 using test::bond;
 using test::volume_of;
@@ -156,13 +153,18 @@ TEST_F(Bonded, AnInterfaceWithoutAnIdStaysBondedToo) {
   EXPECT_NEAR(volume_of(*cut, 2), 1 - circle_area(0.2), 1e-12);
 }
 
-TEST_F(Bonded, AnInterfaceWithoutAnIdCannotBecomeAWall) {
-  const auto result = host_->boolean(two_regions(false), brick({0.6, 0.3, 0.5}, {0.4, 0.4, 1}),
-                                     {boolean_mode::cut, 0}, {});
+TEST_F(Bonded, AnInterfaceWithoutAnIdIsANewSurfaceWhereItIsLaidBare) {
+  const auto unnamed = two_regions(false);
 
-  ASSERT_FALSE(result);
-  EXPECT_THAT(result.error().message, HasSubstr("no surface id"));
-  EXPECT_FALSE(result.error().remedy.empty());
+  const auto cut = made(unnamed, brick({0.6, 0.3, 0.5}, {0.4, 0.4, 1}), boolean_mode::cut);
+
+  const auto& rows = cut->surfaces();
+  const auto bare = std::ranges::find(rows, "between region 1 and region 2", &surface_info::name);
+  ASSERT_NE(bare, rows.end());
+  EXPECT_FALSE(unnamed->find_surface(bare->id));
+  EXPECT_NEAR(boundary_area(*cut, bare->id), 0.4 * 0.5, 1e-12);
+  EXPECT_NEAR(volume_of(*cut, 1), 1 - 0.4 * 0.4 * 0.5, 1e-12);
+  EXPECT_NEAR(volume_of(*cut, 2), 1, 1e-12);
 }
 
 TEST_F(Bonded, AHoleBesideTheInterfaceIsNoneOfTheOtherRegions) {
