@@ -105,6 +105,8 @@ void bring_to_most(std::span<const vec3> points, wall_shape& plane) {
   for (int round = 0; round < rounds_by_most; ++round) {
     for (std::size_t i = 0; i < points.size(); ++i)
       off[i] = std::abs(dot(points[i] - plane.point, plane.axis));
+    if (std::ranges::max(off) <= rounding * size)
+      return;
     const auto weights = weights_by_most(off, rounding * size);
     vec3 centre;
     double sum = 0;

@@ -26,8 +26,8 @@ struct exact_wall {
   [[nodiscard]] double radius_at(vec3 p) const;
 };
 
-/// Fitted to all corners, within 1e-4 of the radius; nothing for free form. Each
-/// point is a corner of some triangle. Cost: O(triangles).
+/// Fitted to all corners, within 1e-4 of the radius; nothing for free form. Each point is a corner
+/// of some triangle. Cost: O(triangles).
 [[nodiscard]] std::optional<exact_wall> fit_exact(const facet_corners& wall);
 
 /// How wide the gaps between corners around a cylinder's or cone's axis are, rad: the two widest,

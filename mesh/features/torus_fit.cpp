@@ -15,7 +15,7 @@ namespace {
 
 constexpr double torus_roundness = 1e-4;
 constexpr std::size_t fewest_corners = 10;
-constexpr std::size_t enough_corners = 200;
+constexpr std::size_t enough_corners = 80;
 /// Rows of corners around the tube: how far apart they must be to be two, and may be.
 constexpr double same_row = 0.02;
 constexpr double widest_row_gap = 55 * std::numbers::pi / 180;

@@ -20,7 +20,7 @@ struct torus {
 /// fit), and where rows are more than 55 degrees apart. The axis is the line that the normals of
 /// the triangles meet (Pottmann and Randrup 1998, by a linear complex), all seven numbers then come
 /// of Levenberg and Marquardt's method on the distances. Cost: O(corners) some times; free form is
-/// told by 200 of them.
+/// told by 80 of them.
 [[nodiscard]] std::optional<torus> fit_torus(const facet_corners& wall);
 
 }  // namespace tedit
