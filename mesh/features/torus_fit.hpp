@@ -15,12 +15,13 @@ struct torus {
   double tube_radius = 0;  ///< m
 };
 
-/// The torus that all corners lie on within 1e-4 of the tube's radius; nothing for others, for
-/// fewer than ten corners or three rows of them around the tube (any wall that was turned would
-/// fit), and where rows are more than 55 degrees apart. The axis is the line that the normals of
-/// the triangles meet (Pottmann and Randrup 1998, by a linear complex), all seven numbers then come
-/// of Levenberg and Marquardt's method on the distances. Cost: O(corners) some times; free form is
-/// told by 80 of them.
+/// The torus that all corners lie on within 1e-4 of the tube's radius, fitted to what most of them
+/// say; nothing for others, for fewer than ten corners or three rows of them around the tube (any
+/// wall that was turned would fit), and where rows are more than 55 degrees apart. Each of sixty
+/// directions is tried as that of the axis: the line that the triangles' normals come nearest to,
+/// by their linear complex (Pottmann and Randrup 1998), and a circle through the corners. From the
+/// best eight all seven numbers come by Levenberg and Marquardt's method on the distances. Cost:
+/// O(corners) some times; free form is told by 80 of them.
 [[nodiscard]] std::optional<torus> fit_torus(const facet_corners& wall);
 
 }  // namespace tedit
