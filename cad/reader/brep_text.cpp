@@ -20,6 +20,14 @@ constexpr std::array<std::string_view, 8> brep_sections{
   "Surfaces",  "Triangulations", "TShapes"};
 constexpr std::string_view shapes = "TShapes";
 
+bool is_finite_number(std::string_view word) {
+  double value = 0;
+  if (word.starts_with('+'))
+    word.remove_prefix(1);
+  const auto read = std::from_chars(word.data(), word.data() + word.size(), value);
+  return read.ec == std::errc() && read.ptr == word.data() + word.size() && std::isfinite(value);
+}
+
 bool is_brep_blank(char c) {
   return c == ' ' || (c >= '\t' && c <= '\r');
 }
@@ -102,7 +110,7 @@ private:
     std::size_t words = 0;
     while (true) {
       const auto before = at_;
-      auto word = next();
+      const auto word = next();
       if (word.empty())
         return cut_off();
       if (std::ranges::find(brep_sections, word) != brep_sections.end()) {
@@ -115,11 +123,7 @@ private:
         at_ = before;
         return found;
       }
-      double value = 0;
-      if (word.starts_with('+'))
-        word.remove_prefix(1);
-      const auto read = std::from_chars(word.data(), word.data() + word.size(), value);
-      if (read.ec != std::errc() || read.ptr != word.data() + word.size() || !std::isfinite(value))
+      if (!is_finite_number(word))
         return fault("a finite number must be here, and not " + shown(word));
       ++words;
     }
@@ -148,9 +152,14 @@ private:
   std::optional<text_fault> of_shape(std::string_view kind) {
     bool in_parts = false;
     std::size_t parts = 0;
+    // A vertex begins with its tolerance and its place.
+    std::size_t numbers = kind == "Ve" ? 4 : 0;
     for (auto word = next(); word != "*"; word = next()) {
       if (word.empty())
         return cut_off();
+      if (numbers > 0 && !is_finite_number(word))
+        return fault("a finite number must be here, and not " + shown(word));
+      numbers -= numbers > 0;
       if (in_parts && (word[0] == '+' || word[0] == '-')) {
         if (auto found = of_part(word))
           return found;

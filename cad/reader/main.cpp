@@ -28,6 +28,8 @@ struct wanted {
 };
 
 cad_content read(const wanted& what, const teller& tells) {
+  if (const auto finite = check_finite(what.kind, what.file.string()); !finite)
+    tells.refuse(finite.error());
   if (what.kind == "iges")
     return read_iges(what.file.string(), tells);
   if (what.kind == "brep")

@@ -2,6 +2,7 @@
 #include "cad/reader/text_faults.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <filesystem>
 #include <fstream>
@@ -32,7 +33,60 @@ bool is_counted(std::string_view word) {
   return false;
 }
 
+/// nan, -inf, Infinity, 1.#QNAN: as programs print what is no number.
+bool is_no_number(std::string_view word) {
+  if (word.find(".#") != word.npos)
+    return true;
+  if (word.starts_with('-') || word.starts_with('+'))
+    word.remove_prefix(1);
+  std::string lower(word.substr(0, 9));
+  std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return std::tolower(c); });
+  return lower.starts_with("nan") ? word.size() == 3 || word[3] == '('
+                                  : lower == "inf" || lower == "infinity";
+}
+
+/// The first such word between blanks, commas and parentheses, outside of quotes.
+std::optional<std::string_view> first_no_number(std::string_view text, bool has_quotes) {
+  constexpr std::string_view between = " \t\r\n,;()=";
+  for (std::size_t at = 0; at < text.size();) {
+    if (has_quotes && text[at] == '\'') {
+      at = std::min(text.find('\'', at + 1), text.size() - 1) + 1;
+      continue;
+    }
+    if (between.find(text[at]) != between.npos) {
+      ++at;
+      continue;
+    }
+    const auto end =
+      std::min(text.find_first_of(has_quotes ? " \t\r\n,;()='" : between, at + 1), text.size());
+    if (const auto word = text.substr(at, end - at); is_no_number(word))
+      return word;
+    at = end;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
+
+expected<void> check_finite(const std::string& kind, const std::string& file) {
+  std::error_code code;
+  if (const auto bytes = std::filesystem::file_size(file, code); code || bytes > largest_text)
+    return {};
+  const auto text = text_of(file);
+  // A STEP file's header has names only; IGES has texts by their length, which this is not for.
+  const auto found = kind == "iges" ? std::nullopt : first_no_number(text, kind == "step");
+  if (!found)
+    return {};
+  const auto before =
+    std::string_view(text).substr(0, static_cast<std::size_t>(found->data() - text.data()));
+  const auto place = line_of(file, 1 + static_cast<std::size_t>(std::ranges::count(before, '\n')));
+  if (auto told = fault_of_text(kind, file);
+      told && (told->where == place || told->where.starts_with(place + ",")))
+    return fail(std::move(*told));
+  return fail(ec::bad_input,
+              "a finite number must be here, and not " + std::string(found->substr(0, 20)),
+              "Export the part again from the CAD program", place);
+}
 
 std::optional<error> fault_of_text(const std::string& kind, const std::string& file) {
   std::error_code code;

@@ -30,6 +30,11 @@ struct text_fault {
 /// and entity; nothing where its text shows no fault, or is larger than 1 GiB. Cost: O(bytes).
 [[nodiscard]] std::optional<error> fault_of_text(const std::string& kind, const std::string& file);
 
+/// Refuses a file of the kind that has a word such as nan or inf where a number belongs: no CAD
+/// program means it, OpenCASCADE takes it or works at it without an end, and meshers die of it.
+/// Errors: `bad_input` with the line, and with the entity where that is known. Cost: O(bytes).
+[[nodiscard]] expected<void> check_finite(const std::string& kind, const std::string& file);
+
 /// Refuses a BREP file that says that it has more of something than its bytes can hold, for
 /// OpenCASCADE would read on and on. Errors: `bad_input` with the line. Cost: O(bytes).
 [[nodiscard]] expected<void> check_brep_counts(const std::string& file);

@@ -110,6 +110,10 @@ QWidget* print_panel::make_found() {
   list_->setHeaderHidden(true);
   list_->setAllColumnsShowFocus(true);
   list_->setIndentation(14);
+  // What was found is whole; names of surfaces make room for it.
+  list_->header()->setStretchLastSection(false);
+  list_->header()->setSectionResizeMode(value_column, QHeaderView::ResizeToContents);
+  list_->header()->setSectionResizeMode(found_column, QHeaderView::Stretch);
   column->addWidget(list_, 1);
   colours_ = new QLabel(mark_words(print_mark::thin, tr("thin")) + "&nbsp;&nbsp; " +
                         mark_words(print_mark::overhang, tr("overhanging")) + "&nbsp;&nbsp; " +
@@ -197,7 +201,6 @@ void print_panel::refresh() {
   for (const auto& row : rows_)
     add_row(nullptr, row);
   list_->expandAll();
-  list_->resizeColumnToContents(found_column);
   colours_->setVisible(inspection_.known() && !inspection_.known()->facets.empty());
   refresh_state();
 }
