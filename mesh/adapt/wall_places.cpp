@@ -2,6 +2,7 @@
 #include "mesh/adapt/wall_places.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace tedit {
@@ -11,8 +12,6 @@ namespace {
 /// Of the edge: where walls meet under so small an angle that their common point is further away,
 /// the middle is taken.
 constexpr double furthest_share = 0.5;
-constexpr double apart_share = 1e-3;
-constexpr int most_steps = 60;
 
 }  // namespace
 
@@ -30,35 +29,19 @@ double wall_places::off(surface_id id, vec3 p) {
 
 vec3 wall_places::middle(vec3 a, vec3 b, std::span<const surface_id> ids) {
   const vec3 start = 0.5 * (a + b);
-  std::vector<const exact_wall*> walls;
-  bool bent = false;
+  std::vector<wall_demand> demands;
   for (const auto id : ids) {
     const auto& w = wall_of(id);
     if (!w)
       continue;  // What it looks like between its corners nobody knows.
-    walls.push_back(&*w);
-    bent = bent || !w->flat();
+    // A plane is where the edge lies, not where the fit has it.
+    demands.push_back(w->flat() ? wall_demand{nullptr, start, w->shape.axis, false}
+                                : wall_demand{&*w, {}, {}, false});
   }
-  if (!bent)
+  if (std::ranges::none_of(demands, [](const wall_demand& d) { return d.wall != nullptr; }))
     return start;
-  const double size = norm(b - a);
-  vec3 p = start;
-  double moved = 0;
-  // From wall to wall; a plane is where the edge lies, not where the fit has it.
-  for (int step = 0; step < most_steps; ++step) {
-    moved = 0;
-    for (const auto* w : walls) {
-      const double d = w->flat() ? dot(p - start, w->shape.axis) : w->distance(p);
-      p = p - d * w->normal(p);
-      moved = std::max(moved, std::abs(d));
-    }
-    if (!(norm(p - start) <= furthest_share * size))
-      return start;
-    if (moved <= 1e-13 * size)
-      return p;
-  }
-  // Walls that touch without crossing, as far apart as their fits allow.
-  return moved <= apart_share * size ? p : start;
+  const auto place = place_on_walls(demands, start);
+  return place.found && norm(place.at - start) <= furthest_share * norm(b - a) ? place.at : start;
 }
 
 }  // namespace tedit

@@ -100,7 +100,11 @@ protected:
     client_ = stage_.system().spawn(make_client, std::shared_ptr<connection>(line_), parts);
   }
 
-  ~Client() override { simulation::cut_off(client_); }
+  // Each holds the other where a question is left without an answer.
+  ~Client() override {
+    simulation::cut_off(client_);
+    simulation::cut_off(server_);
+  }
 
   /// Sends a request; its id.
   std::uint64_t send(v1::ClientMessage message, std::uint64_t id = 0) {
