@@ -23,9 +23,6 @@ constexpr double countless = 1e15;
 /// A vertex goes onto its round wall where no tet comes out worse than this, or than before.
 constexpr double least_quality = 0.1;
 
-/// Of the edge: nearer to a wall a new vertex is on it.
-constexpr double on_wall_share = 1e-4;
-
 /// The longest first; of equal ones always the same.
 struct edge {
   double length = 0;
@@ -156,15 +153,11 @@ private:
   void split(const edge& e) {
     const vec3 middle = 0.5 * (mesh_.at(e.a) + mesh_.at(e.b));
     vec3 place = middle;
-    const auto walls = walls_at(e);
-    if (!walls.empty())
+    if (const auto walls = walls_at(e); !walls.empty())
       place = walls_.middle(mesh_.at(e.a), mesh_.at(e.b), walls);
     if (!(place == middle) && worst_with(e, place) < least_quality &&
         worst_with(e, place) < 0.5 * worst_with(e, middle))
       place = middle;
-    const double near = on_wall_share * mesh_.length(e.a, e.b);
-    report_.off_wall +=
-      std::ranges::any_of(walls, [&](surface_id id) { return walls_.off(id, place) > near; });
     const std::vector<std::uint32_t> ring = ring_;
     const auto fresh = mesh_.split(e.a, e.b, ring, place);
     sizes_.push_back(new_size_(place, e.a, e.b));

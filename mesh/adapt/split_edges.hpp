@@ -16,8 +16,6 @@ struct split_settings {
 
 struct split_report {
   std::size_t vertices = 0;  ///< New ones.
-  std::size_t off_wall =
-    0;  ///< Of those, left on the edge that was split: beyond, a tet would turn.
 };
 
 /// How many tets `split_edges` would leave, within a factor of about 1.5. Cost: O(mesh).

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 namespace tedit {
 
@@ -12,6 +13,8 @@ namespace {
 /// Of the edge: where walls meet under so small an angle that their common point is further away,
 /// the middle is taken.
 constexpr double furthest_share = 0.5;
+/// Of an edge: nearer to a wall a vertex is on it.
+constexpr double on_wall_share = 1e-4;
 
 }  // namespace
 
@@ -42,6 +45,22 @@ vec3 wall_places::middle(vec3 a, vec3 b, std::span<const surface_id> ids) {
     return start;
   const auto place = place_on_walls(demands, start);
   return place.found && norm(place.at - start) <= furthest_share * norm(b - a) ? place.at : start;
+}
+
+std::size_t count_off_walls(const mesh_version& before, const mesh_version& after) {
+  wall_places walls(before);
+  std::set<vertex_id> off;
+  for (facet_id f = 0; f < after.facet_slots(); ++f) {
+    if (!after.is_live_facet(f))
+      continue;
+    const auto& facet = after.facet(f);
+    const double edge = norm(after.position(facet.v[1]) - after.position(facet.v[0]));
+    for (const auto v : facet.v)
+      if (v >= before.vertex_slots() &&
+          walls.off(facet.surface, after.position(v)) > on_wall_share * edge)
+        off.insert(v);
+  }
+  return off.size();
 }
 
 }  // namespace tedit

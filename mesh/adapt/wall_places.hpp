@@ -32,4 +32,8 @@ private:
   std::map<surface_id, std::optional<exact_wall>> walls_;
 };
 
+/// How many vertices that were not there before lie off the walls of the version before, further
+/// than a ten thousandth of the edges there. Cost: O(facets), and the fits.
+[[nodiscard]] std::size_t count_off_walls(const mesh_version& before, const mesh_version& after);
+
 }  // namespace tedit

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mesh/adapt/split_edges.hpp"
+#include "mesh/adapt/wall_places.hpp"
 #include "mesh/pieces.hpp"
 #include "ops/shapes/mesh_pick.hpp"
 
@@ -48,12 +49,11 @@ expected<void> check_count(const mesh_version& mesh, const split_settings& setti
               text);
 }
 
-void tell(const split_report& made, double size, edit_result& result) {
-  result.figures.push_back(
-    {"new_vertices", static_cast<double>(made.vertices), "", "new vertices"});
+void tell(std::size_t vertices, std::size_t off_walls, double size, edit_result& result) {
+  result.figures.push_back({"new_vertices", static_cast<double>(vertices), "", "new vertices"});
   result.figures.push_back({"size_mm", 1e3 * size, "mm", "longest edge at what was picked"});
-  if (made.off_wall > 0)
-    result.notices.push_back(std::to_string(made.off_wall) +
+  if (off_walls > 0)
+    result.notices.push_back(std::to_string(off_walls) +
                              " new vertices lie beside their round wall: on it, tets would turn");
 }
 
@@ -89,7 +89,7 @@ expected<edit_result> refine(const version_ptr& mesh, const mesh_pick& pick, dou
   result.volume_change = boundary_volume_change(*mesh, *result.candidate);
   result.surfaces_used = pick.surfaces;
   result.quality_floor = floor_quality;
-  tell(*made, settings.size, result);
+  tell(made->vertices, count_off_walls(*mesh, *result.candidate), settings.size, result);
   ctx.run.report(1, "refined");
   return result;
 }
