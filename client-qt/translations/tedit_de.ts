@@ -9714,10 +9714,6 @@
         <translation>Das Netz als MED, .unv oder .inp exportieren</translation>
     </message>
     <message>
-        <source>Give it one, in the file that the part came from</source>
-        <translation>Geben Sie ihr eine, in der Datei, aus der das Teil stammt</translation>
-    </message>
-    <message>
         <source>HDF5 cannot open the file: it is damaged, or no MED</source>
         <translation>HDF5 kann die Datei nicht öffnen: Sie ist beschädigt oder keine MED-Datei</translation>
     </message>
@@ -9980,10 +9976,6 @@
     <message>
         <source>the nodes of %1</source>
         <translation>die Knoten: %1</translation>
-    </message>
-    <message>
-        <source>the tool lays bare a face between two regions that has no surface id</source>
-        <translation>das Werkzeug legt eine Fläche zwischen zwei Bereichen frei, die keine Flächennummer hat</translation>
     </message>
     <message>
         <source>the version of MED</source>
@@ -10596,6 +10588,14 @@
     <message>
         <source>the solve of %1 tets</source>
         <translation>die Rechnung mit %1 Tetraedern</translation>
+    </message>
+    <message>
+        <source>between %1 and %2</source>
+        <translation>zwischen %1 und %2</translation>
+    </message>
+    <message>
+        <source>region %1</source>
+        <translation>Bereich %1</translation>
     </message>
 </context>
 <context>
