@@ -48,8 +48,10 @@ FAULTS = [
      "for (auto& waiter : ended.waiting)\n    waiter.promise.deliver(to_caf({code, why, {}, {}}));", LEFT_OUT),
     ("a solve is answered to nobody", "actors/session/solves.cpp",
      "for (auto& waiter : done.waiting)\n        waiter.promise.deliver(event);", LEFT_OUT),
-    ("a free worker takes no waiting work", "actors/supervisor/pool.cpp",
-     "  ++c->jobs_done;\n  dispatch();\n}", "  ++c->jobs_done;\n  if (!FAULT)\n    dispatch();\n}"),
+    # Not only once it is free: a pool looks at what waits at each tick, too.
+    ("who has worked once takes no waiting work", "actors/supervisor/placement.cpp",
+     "void pool_state::dispatch() {\n",
+     "void pool_state::dispatch() {\n  if (FAULT && std::ranges::any_of(children, [](const child& c) { return c.jobs_done > 0; }))\n    return;\n"),
     ("the work of a dead worker is lost", "actors/supervisor/pool.cpp",
      "  if (work)\n    try_again(std::move(*work), starved ? how + as_memory_ran_out : how);", "  if (work && !FAULT)\n    try_again(std::move(*work), starved ? how + as_memory_ran_out : how);"),
     ("a worker gets work while it has some", "actors/supervisor/placement.cpp",
