@@ -20,8 +20,8 @@ namespace tedit::cad {
 class face_probe {
 public:
   /// @param rim_slack mm: a point of the face's surface that is so near to its rim is on the face.
-  /// Where two faces touch smoothly a millionth of their gap moves the edge by a thousandth: what
-  /// the surfaces say is exact, where they end is not.
+  /// Where two faces touch smoothly, a gap of a nanometre between them moves their edge by
+  /// micrometres: what the surfaces say is exact, where they end is not.
   explicit face_probe(const TopoDS_Face& face, double rim_slack = 0);
 
   [[nodiscard]] const TopoDS_Face& face() const { return face_; }

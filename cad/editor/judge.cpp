@@ -23,8 +23,8 @@ namespace {
 
 using triangle = std::array<gp_Pnt, 3>;
 
-/// So many times of what it may be off a face a vertex may be beyond the rim of that: off the
-/// surface of the face that lies behind the rim it would be told.
+/// A vertex may be beyond its face's rim by so many times what it may be off a surface. Where it is
+/// off the face that begins at that rim, the check against that one tells.
 constexpr double rim_share = 10;
 
 /// An arc of this chord is at most so far from it, with room for what is not a circle.

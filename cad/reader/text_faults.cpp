@@ -45,12 +45,16 @@ bool is_no_number(std::string_view word) {
                                   : lower == "inf" || lower == "infinity";
 }
 
-/// The first such word between blanks, commas and parentheses, outside of quotes.
+/// The first such word between blanks, commas and parentheses, outside of quotes and comments.
 std::optional<std::string_view> first_no_number(std::string_view text, bool has_quotes) {
   constexpr std::string_view between = " \t\r\n,;()=";
   for (std::size_t at = 0; at < text.size();) {
     if (has_quotes && text[at] == '\'') {
       at = std::min(text.find('\'', at + 1), text.size() - 1) + 1;
+      continue;
+    }
+    if (has_quotes && text.substr(at, 2) == "/*") {
+      at = std::min(text.find("*/", at + 2), text.size() - 2) + 2;
       continue;
     }
     if (between.find(text[at]) != between.npos) {
@@ -73,7 +77,6 @@ expected<void> check_finite(const std::string& kind, const std::string& file) {
   if (const auto bytes = std::filesystem::file_size(file, code); code || bytes > largest_text)
     return {};
   const auto text = text_of(file);
-  // A STEP file's header has names only; IGES has texts by their length, which this is not for.
   const auto found = kind == "iges" ? std::nullopt : first_no_number(text, kind == "step");
   if (!found)
     return {};

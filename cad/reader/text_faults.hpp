@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // What the text of a CAD file shows of why it could not be read. A reader takes much that a
-// standard forbids, so none of this refuses a file: it is asked for once reading has failed.
+// standard forbids, so the faults refuse no file: they are asked for once reading has failed. Only
+// the two checks at the end come before it.
 #pragma once
 
 #include <cstddef>
@@ -30,8 +31,9 @@ struct text_fault {
 /// and entity; nothing where its text shows no fault, or is larger than 1 GiB. Cost: O(bytes).
 [[nodiscard]] std::optional<error> fault_of_text(const std::string& kind, const std::string& file);
 
-/// Refuses a file of the kind that has a word such as nan or inf where a number belongs: no CAD
-/// program means it, OpenCASCADE takes it or works at it without an end, and meshers die of it.
+/// Refuses a STEP or BREP file that has a word such as nan or inf where a number belongs: no CAD
+/// program means it, OpenCASCADE takes it or works at it without an end, and meshers die of it. Not
+/// IGES, whose texts stand among its numbers without quotes.
 /// Errors: `bad_input` with the line, and with the entity where that is known. Cost: O(bytes).
 [[nodiscard]] expected<void> check_finite(const std::string& kind, const std::string& file);
 

@@ -47,19 +47,21 @@ vec3 wall_places::middle(vec3 a, vec3 b, std::span<const surface_id> ids) {
   return place.found && norm(place.at - start) <= furthest_share * norm(b - a) ? place.at : start;
 }
 
-std::size_t count_off_walls(const mesh_version& before, const mesh_version& after) {
+std::size_t count_off_walls(const mesh_version& before, const mesh_version& after,
+                            std::span<const tet_id> changed) {
   wall_places walls(before);
   std::set<vertex_id> off;
-  for (facet_id f = 0; f < after.facet_slots(); ++f) {
-    if (!after.is_live_facet(f))
-      continue;
-    const auto& facet = after.facet(f);
-    const double edge = norm(after.position(facet.v[1]) - after.position(facet.v[0]));
-    for (const auto v : facet.v)
-      if (v >= before.vertex_slots() &&
-          walls.off(facet.surface, after.position(v)) > on_wall_share * edge)
-        off.insert(v);
-  }
+  for (const auto t : changed)
+    for (const auto n : after.neighbours(t)) {
+      if (!is_facet(n))
+        continue;
+      const auto& facet = after.facet(n & ~facet_flag);
+      const double edge = norm(after.position(facet.v[1]) - after.position(facet.v[0]));
+      for (const auto v : facet.v)
+        if (v >= before.vertex_slots() &&
+            walls.off(facet.surface, after.position(v)) > on_wall_share * edge)
+          off.insert(v);
+    }
   return off.size();
 }
 

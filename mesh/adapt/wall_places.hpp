@@ -32,8 +32,10 @@ private:
   std::map<surface_id, std::optional<exact_wall>> walls_;
 };
 
-/// How many vertices that were not there before lie off the walls of the version before, further
-/// than a ten thousandth of the edges there. Cost: O(facets), and the fits.
-[[nodiscard]] std::size_t count_off_walls(const mesh_version& before, const mesh_version& after);
+/// How many vertices of the changed tets that were not there before lie off the walls of the
+/// version before, further than a ten thousandth of the edges there. Cost: O(changed), and the
+/// fits.
+[[nodiscard]] std::size_t count_off_walls(const mesh_version& before, const mesh_version& after,
+                                          std::span<const tet_id> changed);
 
 }  // namespace tedit

@@ -72,8 +72,6 @@ public:
         request_(request),
         run_(run),
         size_(local_size(*mesh, tool)) {
-    const auto extent = extent_of(*mesh);
-    part_size_ = norm(extent.high - extent.low);
     find_near(tool);
     flush_ =
       make_flush(*mesh, tool, request.mode, near_, flush_tolerance * size_, flush_layer * size_);
@@ -179,7 +177,7 @@ private:
         result.surfaces[i] = continues_[i];
   }
 
-  /// All facets that anything of the boolean looks at, ascending.
+  /// All facets that anything of the boolean looks at, ascending, and the part's size.
   void find_near(const tool_surface& tool) {
     box extent;
     for (const auto& p : tool.points)
@@ -187,14 +185,19 @@ private:
     // The tool may get a layer all around.
     extent = extent.grown((flush_tolerance + 2 * flush_layer) * size_);
     extent = extent.grown(near_share * norm(extent.high - extent.low));
+    box part;
     for (facet_id f = 0; f < mesh_->facet_slots(); ++f) {
       if (!mesh_->is_live_facet(f))
         continue;
       const auto& v = mesh_->facet(f).v;
-      if (extent.meets(box_of(
-            std::array{mesh_->position(v[0]), mesh_->position(v[1]), mesh_->position(v[2])})))
+      const auto facet =
+        box_of(std::array{mesh_->position(v[0]), mesh_->position(v[1]), mesh_->position(v[2])});
+      part.add(facet.low);
+      part.add(facet.high);
+      if (extent.meets(facet))
         near_.push_back(f);
     }
+    part_size_ = norm(part.high - part.low);
   }
 
   /// As a share of what the part had there.

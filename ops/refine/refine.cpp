@@ -89,7 +89,8 @@ expected<edit_result> refine(const version_ptr& mesh, const mesh_pick& pick, dou
   result.volume_change = boundary_volume_change(*mesh, *result.candidate);
   result.surfaces_used = pick.surfaces;
   result.quality_floor = floor_quality;
-  tell(made->vertices, count_off_walls(*mesh, *result.candidate), settings.size, result);
+  tell(made->vertices, count_off_walls(*mesh, *result.candidate, result.touched), settings.size,
+       result);
   ctx.run.report(1, "refined");
   return result;
 }

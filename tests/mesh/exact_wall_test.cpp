@@ -102,6 +102,16 @@ TEST(Torus, WhatIsNoneIsNotTaken) {
   EXPECT_FALSE(fit_torus(point));
 }
 
+TEST(ExactWall, ABoxWithOneSurfaceIsNoSphere) {
+  facet_corners box;
+  for (int i = 0; i < 8; ++i)
+    box.points.push_back(centre + 0.01 * vec3{double(i & 1), double(i >> 1 & 1), double(i >> 2)});
+  box.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                   {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+
+  EXPECT_FALSE(fit_exact(box)) << "its corners are on one";
+}
+
 TEST(ExactWall, SpheresAndCylindersStayWhatTheyAre) {
   const auto ball = fit_exact(grid(5, 9, pi / 2, pi / 2, [](double a, double b) {
     const double across = std::cos(a + 0.2);
