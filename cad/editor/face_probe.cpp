@@ -10,6 +10,7 @@
 #include <BRepLProp_SLProps.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
+#include <BndLib.hxx>
 #include <ElSLib.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
@@ -21,12 +22,27 @@ namespace {
 /// In the parameters of the surface; as OpenCASCADE's own algorithms take it.
 constexpr double inside_tolerance = 1e-7;
 
+/// OpenCASCADE's own box of a piece of a torus is too small where its tube's angles begin below 0
+/// (BndLib of 7.6 rounds them towards 0): that of the tube all around is right.
+void add_tube(const TopoDS_Face& face, Bnd_Box& box) {
+  const BRepAdaptor_Surface surface(face, Standard_False);
+  if (surface.GetType() != GeomAbs_Torus)
+    return;
+  Standard_Real u1 = 0;
+  Standard_Real u2 = 0;
+  Standard_Real v1 = 0;
+  Standard_Real v2 = 0;
+  BRepTools::UVBounds(face, u1, u2, v1, v2);
+  BndLib::Add(surface.Torus(), u1, u2, 0, 2 * M_PI, BRep_Tool::Tolerance(face), box);
+}
+
 }  // namespace
 
 face_probe::face_probe(const TopoDS_Face& face, double rim_slack)
     : face_(face), rim_slack_(rim_slack) {
   // Not AddOptimal: it looks for the best box of a torus or a spline by swarms of particles.
   BRepBndLib::Add(face_, extent_, Standard_False);
+  add_tube(face_, extent_);
 }
 
 double curvature_of(const BRepAdaptor_Surface& surface, double u, double v) {

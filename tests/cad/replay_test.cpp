@@ -114,6 +114,16 @@ TEST_F(Replay, AMeshThatIsOnlyFinerHasTheSameModel) {
   EXPECT_EQ(result.model.facts.faces.size(), 6U);
 }
 
+TEST_F(Replay, APieceOfATorusWhoseAnglesBeginBelowZeroIsWhereItIs) {
+  // OpenCASCADE 7.6 takes the box of its surface to have no height.
+  open("torus_piece.brep");
+  const edit_request wanted{"refine", {1}, {}, {}};
+
+  const auto result = replay(wanted, edit(wanted));
+
+  EXPECT_TRUE(result.verdict.is_same) << result.verdict.reason;
+}
+
 TEST_F(Replay, ADamagedModelCostsNothingButItself) {
   auto broken = model_;
   broken.shape = std::make_shared<const std::string>("DBRep_DrawableShape\nrubbish");
