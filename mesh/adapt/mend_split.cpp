@@ -13,8 +13,13 @@ constexpr double halved_below = 0.1;
 }  // namespace
 
 expected<void> mend_split(mesh_builder& mesh, double tolerance, const execution& run) {
+  return mend_flat(mesh, mesh.touched(), tolerance, run);
+}
+
+expected<void> mend_flat(mesh_builder& mesh, std::span<const tet_id> tets, double tolerance,
+                         const execution& run) {
   std::vector<tet_id> bad;
-  for (const auto t : mesh.touched())
+  for (const auto t : tets)
     if (radius_ratio(mesh.corners(t)) < mended_below)
       bad.push_back(t);
   if (bad.empty())

@@ -3,11 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <queue>
 
-#include "mesh/adapt/wall_places.hpp"
-#include "mesh/predicates.hpp"
+#include "mesh/adapt/edge_splitter.hpp"
 #include "mesh/quality.hpp"
 
 namespace tedit {
@@ -19,20 +16,8 @@ namespace {
 constexpr double volume_share = 0.0095;
 /// No part has so many tets. Sizes below rounding end here, too.
 constexpr double countless = 1e15;
-
-/// A vertex goes onto its round wall where no tet comes out worse than this, or than before.
-constexpr double least_quality = 0.1;
-
-/// The longest first; of equal ones always the same.
-struct edge {
-  double length = 0;
-  std::uint32_t a = 0;
-  std::uint32_t b = 0;
-
-  [[nodiscard]] bool operator<(const edge& other) const {
-    return std::tuple(length, a, b) < std::tuple(other.length, other.a, other.b);
-  }
-};
+/// Of what chords may be off: nearer to a wall an end is on it.
+constexpr double end_share = 1e-2;
 
 double longest_edge(const std::array<vec3, 4>& p) {
   double longest = 0;
@@ -46,136 +31,6 @@ double longest_edge(const std::array<vec3, 4>& p) {
 double furthest(double size, double longest) {
   return std::max(0.0, longest - size) / size_growth;
 }
-
-/// The length that edges at a new vertex may have, m, by its place and the ends of the edge it is
-/// on.
-using size_rule = std::function<double(vec3 place, std::uint32_t a, std::uint32_t b)>;
-
-class edge_splitter {
-public:
-  /// `sizes`: at each vertex slot, how long its edges may be, m; outlives the splitter and grows
-  /// with the mesh.
-  edge_splitter(const mesh_version& base, adapt_mesh& mesh, std::vector<double>& sizes,
-                size_rule new_size, std::size_t most_tets, const execution& run)
-      : mesh_(mesh),
-        sizes_(sizes),
-        new_size_(std::move(new_size)),
-        most_tets_(most_tets),
-        run_(run),
-        walls_(base) {}
-
-  expected<split_report> split_all() {
-    for (std::uint32_t t = 0; t < mesh_.tet_slots(); ++t)
-      if (mesh_.is_live(t))
-        note_edges(mesh_.tet_at(t));
-    for (std::size_t step = 0; !queue_.empty(); ++step) {
-      if (step % 1024 == 0 && run_.cancel.cancelled())
-        return fail(ec::cancelled, "the edit was cancelled");
-      if (mesh_.tet_count() > most_tets_)
-        return fail(ec::invalid_parameter,
-                    "more than " + std::to_string(most_tets_) + " tets would come out",
-                    "Take a larger size");
-      const auto next = queue_.top();
-      queue_.pop();
-      mesh_.ring(next.a, next.b, ring_);
-      if (!ring_.empty())
-        split(longest_from(next));
-    }
-    return report_;
-  }
-
-private:
-  void note_edges(const tet& corners) {
-    for (int i = 0; i < 4; ++i)
-      for (int j = i + 1; j < 4; ++j)
-        note(corners.v[i], corners.v[j]);
-  }
-
-  void note(std::uint32_t a, std::uint32_t b) {
-    const double length = mesh_.length(a, b);
-    if (length > std::min(sizes_[a], sizes_[b]))
-      queue_.push({length, std::min(a, b), std::max(a, b)});
-  }
-
-  [[nodiscard]] edge longest_around() const {
-    edge longest;
-    for (const auto t : ring_) {
-      const auto& v = mesh_.tet_at(t).v;
-      for (int i = 0; i < 4; ++i)
-        for (int j = i + 1; j < 4; ++j)
-          longest = std::max(
-            longest, edge{mesh_.length(v[i], v[j]), std::min(v[i], v[j]), std::max(v[i], v[j])});
-    }
-    return longest;
-  }
-
-  /// Over longer and longer edges to one that is the longest of all tets around; `ring_` is its.
-  edge longest_from(edge e) {
-    const auto first = e;
-    for (;;) {
-      const auto longest = longest_around();
-      if (longest.a == e.a && longest.b == e.b)
-        break;
-      e = longest;
-      mesh_.ring(e.a, e.b, ring_);
-    }
-    if (!(first.a == e.a && first.b == e.b))
-      queue_.push(first);
-    return e;
-  }
-
-  /// The walls whose triangles have the edge.
-  std::vector<surface_id> walls_at(const edge& e) const {
-    std::vector<surface_id> result;
-    for (const auto t : ring_)
-      for (const auto c : mesh_.tet_at(t).v)
-        if (c != e.a && c != e.b)
-          if (const auto* what = mesh_.skin_at({e.a, e.b, c});
-              what && what->kind != skin_kind::border)
-            result.push_back(what->surface);
-    std::ranges::sort(result);
-    result.erase(std::ranges::unique(result).begin(), result.end());
-    return result;
-  }
-
-  [[nodiscard]] double worst_with(const edge& e, vec3 place) const {
-    double worst = 1;
-    for (const auto t : ring_)
-      for (const auto end : {e.a, e.b}) {
-        auto p = mesh_.corners(t);
-        p[static_cast<std::size_t>(std::ranges::find(mesh_.tet_at(t).v, end) -
-                                   mesh_.tet_at(t).v.begin())] = place;
-        worst = std::min(worst, orient3d(p[0], p[1], p[2], p[3]) > 0 ? radius_ratio(p) : 0);
-      }
-    return worst;
-  }
-
-  void split(const edge& e) {
-    const vec3 middle = 0.5 * (mesh_.at(e.a) + mesh_.at(e.b));
-    vec3 place = middle;
-    if (const auto walls = walls_at(e); !walls.empty())
-      place = walls_.middle(mesh_.at(e.a), mesh_.at(e.b), walls);
-    if (!(place == middle) && worst_with(e, place) < least_quality &&
-        worst_with(e, place) < 0.5 * worst_with(e, middle))
-      place = middle;
-    const std::vector<std::uint32_t> ring = ring_;
-    const auto fresh = mesh_.split(e.a, e.b, ring, place);
-    sizes_.push_back(new_size_(place, e.a, e.b));
-    ++report_.vertices;
-    for (const auto t : mesh_.star(fresh))
-      note_edges(mesh_.tet_at(t));
-  }
-
-  adapt_mesh& mesh_;
-  std::vector<double>& sizes_;
-  size_rule new_size_;
-  std::size_t most_tets_;
-  const execution& run_;
-  wall_places walls_;
-  std::priority_queue<edge> queue_;
-  std::vector<std::uint32_t> ring_;
-  split_report report_;
-};
 
 /// The integral of 1 / size^3 over a tet of volume 1 with these distances at its corners: by the
 /// formula of Hermite and Genocchi six times the divided difference of the third antiderivative.
@@ -194,6 +49,12 @@ double mean_density(double size, std::array<double, 4> distance) {
     for (int i = 3; i >= order; --i)
       f[i] = (f[i] - f[i - 1]) / (u[i] - u[i - order]);
   return 6 * f[3];
+}
+
+split_rule::test longer_than(const std::vector<double>& sizes) {
+  return [&sizes](const edge_splitter&, const splitter_edge& e) {
+    return e.length > std::min(sizes[e.a], sizes[e.b]);
+  };
 }
 
 }  // namespace
@@ -239,15 +100,16 @@ expected<split_report> split_edges(const mesh_version& base, adapt_mesh& mesh,
   std::vector<double> sizes;
   for (const auto d : distance)
     sizes.push_back(size_at(d));
-  const auto new_size = [&](vec3 place, std::uint32_t a, std::uint32_t b) {
+  const auto give_size = [&](vec3 place, std::uint32_t a, std::uint32_t b) {
     const double bound =
       std::min(distance[a] + norm(place - mesh.at(a)), distance[b] + norm(place - mesh.at(b)));
     distance.push_back(off(place, std::min(far, bound * (1 + 1e-9))));
-    return size_at(distance.back());
+    sizes.push_back(size_at(distance.back()));
   };
   // What was expected is right within a factor, so that there is some room.
-  return edge_splitter(base, mesh, sizes, new_size, settings.most_tets + settings.most_tets / 2,
-                       run)
+  wall_places walls(base);
+  return edge_splitter(mesh, walls, {longer_than(sizes), give_size},
+                       settings.most_tets + settings.most_tets / 2, run)
     .split_all();
 }
 
@@ -255,9 +117,29 @@ expected<split_report> split_edges(const mesh_version& base, adapt_mesh& mesh,
                                    std::vector<double> sizes, std::size_t most_tets,
                                    const execution& run) {
   const auto between = [&](vec3, std::uint32_t a, std::uint32_t b) {
-    return 0.5 * (sizes[a] + sizes[b]);
+    sizes.push_back(0.5 * (sizes[a] + sizes[b]));
   };
-  return edge_splitter(base, mesh, sizes, between, most_tets, run).split_all();
+  wall_places walls(base);
+  return edge_splitter(mesh, walls, {longer_than(sizes), between}, most_tets, run).split_all();
+}
+
+expected<split_report> split_chords(const mesh_version& base, adapt_mesh& mesh,
+                                    const chord_settings& settings, const execution& run) {
+  wall_places walls(base);
+  const auto is_off = [&](const edge_splitter& splitter, const splitter_edge& e) {
+    return settings.near.meets(box_of(std::array{mesh.at(e.a), mesh.at(e.b)})) &&
+           std::ranges::any_of(splitter.walls_at(e), [&](surface_id wall) {
+             // An end that could not be put on its wall would be halved at for ever.
+             const double near = end_share * settings.most_off;
+             return std::ranges::find(settings.walls, wall) != settings.walls.end() &&
+                    walls.off(wall, 0.5 * (mesh.at(e.a) + mesh.at(e.b))) > settings.most_off &&
+                    walls.off(wall, mesh.at(e.a)) < near && walls.off(wall, mesh.at(e.b)) < near;
+           });
+  };
+  return edge_splitter(mesh, walls,
+                       {is_off, [](vec3, std::uint32_t, std::uint32_t) {}, settings.least_quality},
+                       settings.most_tets, run)
+    .split_all();
 }
 
 }  // namespace tedit

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <span>
+
 #include "base/execution.hpp"
 #include "mesh/adapt/adapt_mesh.hpp"
 #include "mesh/adapt/size_field.hpp"
+#include "mesh/box.hpp"
 
 namespace tedit {
 
@@ -37,9 +40,29 @@ struct split_report {
                                                  std::vector<double> sizes, std::size_t most_tets,
                                                  const execution& run);
 
+/// Which chords of round walls are halved.
+struct chord_settings {
+  box near;                         ///< Those that meet it.
+  std::vector<surface_id> walls;    ///< Of these.
+  double most_off = 0;              ///< m: how far the middle of one may be off its wall.
+  double least_quality = 0.1;       ///< For that no tet becomes flatter, or half as good.
+  std::size_t most_tets = 4000000;  ///< Of the whole part afterwards.
+};
+
+/// Halves edges of round walls until their middles are no further off the walls than that: `near`
+/// the part is then as round as a finer mesh would have it. New vertices lie on the walls. Errors:
+/// as above. Cost: O(mesh), a fit of each wall, and some microseconds a new tet.
+[[nodiscard]] expected<split_report> split_chords(const mesh_version& base, adapt_mesh& mesh,
+                                                  const chord_settings& settings,
+                                                  const execution& run);
+
 /// Tets of a builder that came out flatter than q = 0.2 are mended with what is around them: on
 /// flat walls facets may change and vertices slide, by no more than `tolerance` (m). Errors:
 /// `cancelled`. Cost: O(touched), and some milliseconds a place.
 [[nodiscard]] expected<void> mend_split(mesh_builder& mesh, double tolerance, const execution& run);
+
+/// The same for those of some tets. Cost: O(tets), and some milliseconds a place.
+[[nodiscard]] expected<void> mend_flat(mesh_builder& mesh, std::span<const tet_id> tets,
+                                       double tolerance, const execution& run);
 
 }  // namespace tedit

@@ -88,6 +88,53 @@ TEST_F(Refine, FurtherOffEdgesAreLongerByNoMoreThanTheGrowth) {
   EXPECT_GT(unchanged, 0u);
 }
 
+TEST_F(Refine, ChordsOfABoreAreHalvedWhereTheyAreTooFarOffIt) {
+  // A chord of a sixteenth of the circle is 1 - cos(pi / 16) = .0192 off, of a half of it .0048.
+  const auto tube = test::tube_mesh({.sides = 16, .inner = 1, .outer = 2, .length = 1});
+  adapt_mesh work(*tube);
+  chord_settings settings;
+  settings.near = {{0.1, -3, -1}, {3, 3, 2}};
+  settings.walls = {1};
+  settings.most_off = 0.005;
+
+  const auto made = split_chords(*tube, work, settings, {});
+
+  ASSERT_TRUE(made);
+  EXPECT_GT(made->vertices, 0u);
+  mesh_builder builder(tube);
+  ASSERT_TRUE(work.write(builder));
+  const auto after = builder.freeze();
+  EXPECT_EQ(check_version(*after).total, 0u);
+  std::size_t long_chords = 0;
+  for (const auto f : facets_of(*after, std::array<surface_id, 1>{1}))
+    for (int k = 0; k < 3; ++k) {
+      const vec3 a = after->position(after->facet(f).v[k]);
+      const vec3 b = after->position(after->facet(f).v[(k + 1) % 3]);
+      EXPECT_NEAR(std::hypot(a.x, a.y), 1, 1e-12);
+      const vec3 middle = 0.5 * (a + b);
+      const double off = 1 - std::hypot(middle.x, middle.y);
+      if (std::max(a.x, b.x) >= 0.1)
+        EXPECT_LE(off, 0.005);
+      else
+        long_chords += off > 0.019;
+    }
+  EXPECT_GT(long_chords, 0u);
+}
+
+TEST_F(Refine, OnlyTheNamedWallsChordsAreHalved) {
+  const auto tube = test::tube_mesh({.sides = 16, .inner = 1, .outer = 2, .length = 1});
+  adapt_mesh work(*tube);
+  chord_settings settings;
+  settings.near = {{-3, -3, -1}, {3, 3, 2}};
+  settings.walls = {3};  // An end, which is flat.
+  settings.most_off = 1e-3;
+
+  const auto made = split_chords(*tube, work, settings, {});
+
+  ASSERT_TRUE(made);
+  EXPECT_EQ(made->vertices, 0u);
+}
+
 TEST_F(Refine, NewVerticesOfABoreLieOnItsCylinder) {
   const auto tube = test::tube_mesh({.sides = 16, .inner = 1, .outer = 2, .length = 1});
 
