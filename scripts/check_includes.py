@@ -48,7 +48,7 @@ ROOMS = {
     "ops/shapes/isosurface": (("ops/sdk", "mesh", "base"), ("Eigen/",)),
     "ops/shapes/outlines": (("ops/tools", "ops/sdk", "mesh", "base"), ("pugixml",)),
     "ops/shapes/rounding": (("ops/shapes", "ops/sdk", "mesh", "base"), ()),
-    "ops/loader": (("sandbox", "ops/tools", "ops/sdk", "mesh", "base"), ("CGAL/",)),
+    "ops/loader": (("sandbox", "ops/services/notices.hpp", "ops/tools", "ops/sdk", "mesh", "base"), ("CGAL/",)),
     "ops/tools": (("ops/sdk", "mesh", "base"), ()),
     "ops/tools/text": (("ops/tools", "ops/sdk", "mesh", "base"), ("ft2build.h",)),
     "ops/tools/files": (("ops/tools", "ops/sdk", "mesh/io", "mesh", "base"), ("CGAL/",)),

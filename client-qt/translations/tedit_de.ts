@@ -10597,6 +10597,14 @@
         <source>region %1</source>
         <translation>Bereich %1</translation>
     </message>
+    <message>
+        <source>its new vertices do not fit on their walls</source>
+        <translation>die neuen Knoten finden keinen Platz auf ihren Wänden</translation>
+    </message>
+    <message>
+        <source>the round walls at the tool follow their arcs closer now: %1 mm3 of the change of volume come of that</source>
+        <translation>die runden Wände am Werkzeug folgen ihren Bögen jetzt genauer: %1 mm3 der Volumenänderung kommen davon</translation>
+    </message>
 </context>
 <context>
     <name>server_lists</name>

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/number_range.hpp"
+#include "mesh/adapt/split_edges.hpp"
 #include "mesh/checks.hpp"
 #include "mesh/level_set_tidy.hpp"
 #include "mesh/optimize/improve.hpp"
@@ -16,6 +17,7 @@
 #include "ops/boolean/flush.hpp"
 #include "ops/boolean/put_on_walls.hpp"
 #include "ops/boolean/remesh.hpp"
+#include "ops/boolean/rounder_part.hpp"
 #include "ops/tools/local_size.hpp"
 
 namespace tedit::ops {
@@ -53,6 +55,8 @@ constexpr std::array ways{way{1, 2, {exact, 0.005, 0.05}}, way{2, 4, {exact, 0.0
 /// What lies between the chords and the arcs of a coarse part's round walls may be as much as a
 /// small edit: of that, no more than this share is put on with new vertices.
 constexpr double most_put_on = 0.05;
+/// Where chords are halved for it that is told, and may be more.
+constexpr double most_by_walls = 0.5;
 
 /// Tools of more triangles are tried twice only, fillings of more tets are not mended besides.
 constexpr std::size_t many_triangles = 8000;
@@ -67,25 +71,34 @@ public:
   tool_boolean(const version_ptr& mesh, const tool_surface& tool,
                const std::vector<std::optional<surface_id>>& continues,
                const boolean_request& request, const execution& run)
-      : mesh_(mesh),
+      : tool_boolean(mesh, {mesh, {}}, tool, continues, request, run) {}
+
+  /// On the part made rounder: what comes out is compared with the part as it was.
+  tool_boolean(const version_ptr& part, rounder_part rounder, const tool_surface& tool,
+               const std::vector<std::optional<surface_id>>& continues,
+               const boolean_request& request, const execution& run)
+      : part_(part),
+        mesh_(std::move(rounder.mesh)),
+        also_(std::move(rounder.flat)),
         continues_(continues),
         request_(request),
         run_(run),
-        size_(local_size(*mesh, tool)) {
+        size_(local_size(*mesh_, tool)) {
     find_near(tool);
     flush_ =
-      make_flush(*mesh, tool, request.mode, near_, flush_tolerance * size_, flush_layer * size_);
+      make_flush(*mesh_, tool, request.mode, near_, flush_tolerance * size_, flush_layer * size_);
     // A wall that moves takes its neighbours' chords along: on a coarse part what lies between
     // these and their arcs is more than many an edit.
-    if (!moves_walls(*mesh, tool, continues, near_))
-      walls_.emplace(*mesh, flush_.tool, continues);
+    if (!moves_walls(*mesh_, tool, continues, near_))
+      walls_.emplace(*mesh_, flush_.tool, continues);
   }
 
   expected<boolean_result> best() {
     const auto finder = make_finder();
     // Somebody waits: a large tool is tried fewer times. Not by the clock: the same edit gives the
     // same version everywhere.
-    const std::size_t tries = flush_.tool.triangles.size() > many_triangles ? 2 : ways.size();
+    const bool is_large = flush_.tool.triangles.size() > many_triangles;
+    const std::size_t tries = is_rounder() ? 1 : is_large ? 2 : ways.size();
     std::optional<boolean_result> best;
     std::optional<error> last;
     for (std::size_t i = 0; i < tries; ++i) {
@@ -102,8 +115,10 @@ public:
           break;
         continue;
       }
-      if (!best || is_better(*made, *best))
+      if (!best || is_better(*made, *best)) {
         best = std::move(*made);
+        on_chords_ = last_on_chords_;
+      }
       if (is_good(*best))
         break;
       // What is as flat as this after several tries does not come right.
@@ -122,6 +137,20 @@ public:
         "the tets around the tool would be too flat (q = " + number_text(best->worst_after) + ")",
         "Move the tool a little: something of it nearly meets an edge of the part");
     return std::move(*best);
+  }
+
+  static bool is_good(const boolean_result& made) {
+    return made.worst_after >= std::min(wanted_quality, made.worst_before);
+  }
+
+  /// Are new vertices of what came out last on chords of round walls instead of on the walls?
+  [[nodiscard]] bool on_chords() const { return on_chords_; }
+
+  /// The part with shorter chords where the tool is. None, or an error, where that is no help.
+  expected<rounder_part> part_with_shorter_chords() {
+    if (!walls_ || std::ranges::any_of(continues_, [](const auto& id) { return id.has_value(); }))
+      return rounder_part();
+    return with_shorter_chords(mesh_, flush_.tool, near_, *walls_, size_, run_);
   }
 
   expected<boolean_result> draft() {
@@ -152,6 +181,8 @@ private:
     cavity hollow;
     corefined cut;
   };
+
+  [[nodiscard]] bool is_rounder() const { return part_ != mesh_; }
 
   [[nodiscard]] cavity_finder make_finder() const {
     std::vector<surface_id> moved;
@@ -213,7 +244,7 @@ private:
                                        const execution& run) {
     if (const auto known = cuts_.find(rings); known != cuts_.end())
       return &known->second;
-    auto hollow = finder.find(rings);
+    auto hollow = finder.find(rings, also_);
     if (!hollow)
       return fail(hollow.error());
     run.report(0.2, "cutting");
@@ -261,29 +292,36 @@ private:
                                         const corefined& cut, double deviation,
                                         const execution& run) {
     // Bonded regions are cut each for itself, and share their interfaces to the last digit.
-    const bool may_be_round = walls_ && hollow.shares.size() == 1;
-    const auto round = may_be_round ? put_on_round_walls(surface, *walls_) : std::nullopt;
-    if (!round || std::abs(round->volume_change) > most_put_on * size_of_edit(hollow, cut))
+    const bool may_be_round = walls_ && !no_good_on_walls_ && hollow.shares.size() == 1;
+    const auto [round, wanted] =
+      may_be_round ? put_on_round_walls(surface, *walls_) : put_on_outcome{};
+    last_on_chords_ = wanted || no_good_on_walls_;
+    const bool fits =
+      round && std::abs(round->volume_change) <= most_put_on * size_of_edit(hollow, cut);
+    // Made rounder for that: the part as it was has been filled with vertices on chords already.
+    if (!fits && wanted && is_rounder())
+      return fail(ec::mesher_failed, "its new vertices do not fit on their walls");
+    if (!fits)
       return filled(hollow, surface, cut, 0, deviation, run);
     auto made = filled(hollow, round->surface, cut, round->volume_change, deviation, run);
-    if (made ? is_good(*made) : made.error().code != ec::mesher_failed)
+    last_on_chords_ = false;
+    if (is_rounder() || (made ? is_good(*made) : made.error().code != ec::mesher_failed))
       return made;
     // Where it does not come out once it does not in other ways: each would be meshed twice.
-    walls_.reset();
+    no_good_on_walls_ = true;
     auto plain = filled(hollow, surface, cut, 0, deviation, run);
-    return made && (!plain || !is_better(*plain, *made)) ? std::move(made) : std::move(plain);
-  }
-
-  static bool is_good(const boolean_result& made) {
-    return made.worst_after >= std::min(wanted_quality, made.worst_before);
+    if (made && (!plain || !is_better(*plain, *made)))
+      return made;
+    last_on_chords_ = true;
+    return plain;
   }
 
   [[nodiscard]] expected<corefined> cut_of(const cavity& hollow, const execution& run) const {
     std::vector<solid_share> shares;
     for (const auto& share : hollow.shares)
       shares.push_back({share.last - share.first, share.stays});
-    auto cut = corefine(hollow.surface, shares, as_surface(flush_.tool), request_.mode,
-                        planes_in(hollow), run);
+    auto cut = corefine(hollow.surface, shares, {flush_.tool.points, flush_.tool.triangles},
+                        request_.mode, planes_among(flush_, hollow.vertices), run);
     if (!cut || hollow.shares.size() == 1)
       return cut;
     return join_shares(hollow, std::move(*cut));
@@ -321,10 +359,8 @@ private:
     result.candidate = builder.freeze();
     result.touched = builder.touched();
     result.volume_change = boundary_volume_change(*mesh_, *result.candidate);
-    result.worst_before = worst_quality_before(*mesh_, *result.candidate, result.touched);
-    result.worst_after = 1;
-    for (const auto t : result.touched)
-      result.worst_after = std::min(result.worst_after, radius_ratio(result.candidate->corners(t)));
+    result.worst_before = worst_quality_before(*part_, *result.candidate, result.touched);
+    result.worst_after = worst_quality(*result.candidate, result.touched);
     return result;
   }
 
@@ -374,27 +410,9 @@ private:
     return {};
   }
 
-  [[nodiscard]] static closed_surface as_surface(const tool_surface& tool) {
-    return {tool.points, tool.triangles};
-  }
-
-  [[nodiscard]] std::vector<shared_plane> planes_in(const cavity& hollow) const {
-    std::map<vertex_id, std::uint32_t> place;
-    for (std::uint32_t i = 0; i < hollow.vertices.size(); ++i)
-      place[hollow.vertices[i]] = i;
-    std::vector<shared_plane> result;
-    for (const auto& face : flush_.faces) {
-      shared_plane plane{face.normal, face.offset, {}};
-      for (const auto v : face.part)
-        if (const auto found = place.find(v); found != place.end())
-          plane.points[0].push_back(found->second);
-      plane.points[1] = face.tool;
-      result.push_back(std::move(plane));
-    }
-    return result;
-  }
-
-  const version_ptr& mesh_;
+  const version_ptr part_;
+  const version_ptr mesh_;  ///< What is cut.
+  const std::vector<tet_id> also_;
   const std::vector<std::optional<surface_id>>& continues_;
   const boolean_request& request_;
   const execution& run_;
@@ -403,59 +421,59 @@ private:
   std::vector<facet_id> near_;
   flush_tool flush_;
   std::optional<round_walls> walls_;
+  bool no_good_on_walls_ = false;  ///< No good tets came out of it.
+  bool last_on_chords_ = false;    ///< Of the last try: see `on_chords`.
+  bool on_chords_ = false;
   std::map<int, cut_cavity> cuts_;  ///< By rings.
 };
 
-}  // namespace
-
-expected<void> validate(const tool_surface& tool) {
-  const auto wrong = [](const std::string& why) {
-    return fail(ec::invalid_argument, "the tool is no closed surface: " + why);
-  };
-  if (tool.triangles.size() < 4 || tool.faces.size() != tool.triangles.size())
-    return wrong("it has too few triangles, or not a face for each");
-  for (const auto& p : tool.points)
-    if (!is_finite(p))
-      return wrong("a point is not finite");
-  std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
-  for (std::size_t i = 0; i < tool.triangles.size(); ++i) {
-    const auto& t = tool.triangles[i];
-    if (tool.faces[i] >= tool.names.size())
-      return wrong("a triangle has no face");
-    for (int k = 0; k < 3; ++k) {
-      if (t[k] >= tool.points.size() || t[k] == t[(k + 1) % 3])
-        return wrong("a triangle has no three corners");
-      ++edges[{t[k], t[(k + 1) % 3]}];
-    }
-  }
-  for (const auto& [edge, count] : edges)
-    if (const auto back = edges.find({edge.second, edge.first});
-        count != 1 || back == edges.end() || back->second != 1)
-      return wrong("an edge has not one triangle on each side");
-  if (!(enclosed_volume(tool.points, tool.triangles) > 0))
-    return wrong("it is turned inside out, or flat");
-  return {};
-}
-
-namespace {
-
-expected<void> validate(const tool_surface& tool,
-                        const std::vector<std::optional<surface_id>>& continues) {
-  if (auto ok = validate(tool); !ok)
-    return fail(ok.error());
-  if (!continues.empty() && continues.size() != tool.names.size())
-    return fail(ec::invalid_argument, "not each face of the tool is told what it continues");
-  return {};
+/// Once more on a part whose walls are rounder where the tool is. Nothing where that is no better,
+/// or much beside what the tool does.
+std::optional<combined> made_on_rounder_part(
+  tool_boolean& first, const version_ptr& mesh, const tool_surface& tool,
+  const std::vector<std::optional<surface_id>>& continues, const boolean_request& request,
+  const execution& run) {
+  auto rounder = first.part_with_shorter_chords();
+  if (!rounder || !rounder->mesh)
+    return std::nullopt;
+  tool_boolean second(mesh, std::move(*rounder), tool, continues, request, run);
+  auto made = second.best();
+  if (!made || second.on_chords())
+    return std::nullopt;
+  // What became flat beside the tool's cavity as chords were halved.
+  mesh_builder builder(made->candidate);
+  if (!mend_flat(builder, changed_tets(*mesh, *made->candidate), 0, run))
+    return std::nullopt;
+  made->candidate = builder.freeze();
+  made->touched = changed_tets(*mesh, *made->candidate);
+  const double by_tool =
+    std::exchange(made->volume_change, boundary_volume_change(*mesh, *made->candidate));
+  made->worst_before = worst_quality_before(*mesh, *made->candidate, made->touched);
+  made->worst_after = worst_quality(*made->candidate, made->touched);
+  const double by_walls = made->volume_change - by_tool;
+  if (std::abs(by_walls) > most_by_walls * std::abs(by_tool))
+    return std::nullopt;
+  return combined{std::move(*made), by_walls};
 }
 
 }  // namespace
 
-expected<boolean_result> combine_with_tool(const version_ptr& mesh, const tool_surface& tool,
-                                           const std::vector<std::optional<surface_id>>& continues,
-                                           const boolean_request& request, const execution& run) {
+expected<combined> combine_with_tool(const version_ptr& mesh, const tool_surface& tool,
+                                     const std::vector<std::optional<surface_id>>& continues,
+                                     const boolean_request& request, const execution& run) {
   if (auto ok = validate(tool, continues); !ok)
     return fail(ok.error());
-  return tool_boolean(mesh, tool, continues, request, run).best();
+  tool_boolean first(mesh, tool, continues, request, run);
+  auto made = first.best();
+  if (made ? first.on_chords() : made.error().code == ec::postcondition_failed)
+    if (auto rounder =
+          made_on_rounder_part(first, mesh, tool, continues, request, run.part(0.8, 1));
+        rounder && (!made || tool_boolean::is_good(rounder->made) ||
+                    rounder->made.worst_after >= made->worst_after))
+      return std::move(*rounder);
+  if (!made)
+    return fail(made.error());
+  return combined{std::move(*made), 0};
 }
 
 expected<boolean_result> draft_with_tool(const version_ptr& mesh, const tool_surface& tool,

@@ -5,12 +5,19 @@
 
 namespace tedit::ops {
 
+struct combined {
+  boolean_result made;
+  double rounder = 0;  ///< m^3: of its change of volume, what the part's walls gained by shorter
+                       ///< chords.
+};
+
 /// `services::boolean_onto`: see there. The steps: the tets that the tool crosses and a ring around
 /// are taken out; an exact boolean of their closed surface with the tool (CGAL, in a process of its
 /// own); a surface that tets fit on; TetGen, in a process of its own; local improvement. Where the
 /// tets are not as good as before, or a step fails, again with more room and then with less
-/// exactness.
-[[nodiscard]] expected<boolean_result> combine_with_tool(
+/// exactness. Where new vertices of that lie on chords of round walls, once more on a part with
+/// shorter ones (`with_shorter_chords`).
+[[nodiscard]] expected<combined> combine_with_tool(
   const version_ptr& mesh, const tool_surface& tool,
   const std::vector<std::optional<surface_id>>& continues, const boolean_request& request,
   const execution& run);
@@ -28,5 +35,8 @@ namespace tedit::ops {
 /// Errors: `invalid_argument` for a tool that is not closed, is turned inside out, or has numbers
 /// that are not finite.
 [[nodiscard]] expected<void> validate(const tool_surface& tool);
+/// Errors: also where `continues` has another number of entries than the tool has faces, but none.
+[[nodiscard]] expected<void> validate(const tool_surface& tool,
+                                      const std::vector<std::optional<surface_id>>& continues);
 
 }  // namespace tedit::ops

@@ -409,7 +409,7 @@ bool cavity_finder::stays(region_id region) const {
   return !owners_.empty() && !std::ranges::count(owners_, region);
 }
 
-expected<cavity> cavity_finder::find(int rings) const {
+expected<cavity> cavity_finder::find(int rings, const std::vector<tet_id>& also) const {
   const bool keeps_inside = mode_ == boolean_mode::keep;
   if (crossed_.empty() && (mode_ == boolean_mode::add || within_.empty()))
     return fail(ec::empty_selection, "the tool does not meet the part",
@@ -432,8 +432,14 @@ expected<cavity> cavity_finder::find(int rings) const {
       grown.add(t);
   for (const auto t : kept_within_)
     grown.add(t);
+  const auto stays_in = [&](tet_id t) {
+    return (is_inside_[t] != 0) == keeps_inside && takes_part(t);
+  };
+  for (const auto t : also)
+    if (stays_in(t))
+      grown.add(t);
   for (int ring = 0; ring < rings; ++ring)
-    grown.add_ring([&](tet_id t) { return (is_inside_[t] != 0) == keeps_inside && takes_part(t); });
+    grown.add_ring(stays_in);
   if (!grown.grow_until_clean(regions))
     return fail(ec::mesher_failed, "the part's boundary is no clean surface where the tool is",
                 "Place the tool elsewhere");

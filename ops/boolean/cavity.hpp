@@ -55,9 +55,10 @@ public:
   cavity_finder(const mesh_version& mesh, const tool_surface& tool, boolean_mode mode,
                 const std::vector<facet_id>& near, const std::vector<surface_id>& moved);
 
+  /// @param also tets that are made anew, too, with the same rings around.
   /// Errors: `empty_selection` where the tool meets nothing, `mesher_failed` where the part itself
   /// is no clean solid. Cost: O(cavity), and O(interface facets) where there are several regions.
-  [[nodiscard]] expected<cavity> find(int rings) const;
+  [[nodiscard]] expected<cavity> find(int rings, const std::vector<tet_id>& also = {}) const;
 
 private:
   [[nodiscard]] box reach_of(const std::array<vec3, 4>& tet) const;

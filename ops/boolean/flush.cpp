@@ -242,4 +242,21 @@ flush_tool make_flush(const mesh_version& mesh, const tool_surface& tool, boolea
   return result;
 }
 
+std::vector<shared_plane> planes_among(const flush_tool& flush,
+                                       const std::vector<vertex_id>& vertices) {
+  std::map<vertex_id, std::uint32_t> place;
+  for (std::uint32_t i = 0; i < vertices.size(); ++i)
+    place[vertices[i]] = i;
+  std::vector<shared_plane> result;
+  for (const auto& face : flush.faces) {
+    shared_plane plane{face.normal, face.offset, {}};
+    for (const auto v : face.part)
+      if (const auto found = place.find(v); found != place.end())
+        plane.points[0].push_back(found->second);
+    plane.points[1] = face.tool;
+    result.push_back(std::move(plane));
+  }
+  return result;
+}
+
 }  // namespace tedit::ops

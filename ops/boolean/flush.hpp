@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "ops/boolean/corefine.hpp"
 #include "ops/sdk/operation.hpp"
 
 namespace tedit::ops {
@@ -28,5 +29,9 @@ struct flush_tool {
 [[nodiscard]] flush_tool make_flush(const mesh_version& mesh, const tool_surface& tool,
                                     boolean_mode mode, const std::vector<facet_id>& near,
                                     double tolerance, double layer);
+
+/// Those planes, for an exact boolean with points that are these vertices of the part.
+[[nodiscard]] std::vector<shared_plane> planes_among(const flush_tool& flush,
+                                                     const std::vector<vertex_id>& vertices);
 
 }  // namespace tedit::ops

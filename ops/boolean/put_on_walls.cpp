@@ -47,6 +47,9 @@ public:
   wall_putter(labelled_surface& surface, round_walls& walls)
       : mesh_(surface.mesh), labels_(surface.labels), walls_(walls) {}
 
+  /// Nothing has to move.
+  [[nodiscard]] bool is_on_walls() const { return is_on_walls_; }
+
   std::optional<double> put() {
     for (const auto& v : mesh_.vertices)
       was_.push_back(v.position);
@@ -57,7 +60,8 @@ public:
       any_out |= is_off(v) && take_out(v);
     for (std::uint32_t v = 0; v < is_moved_.size(); ++v)
       find_place(v);
-    if ((moved_.empty() && !any_out) || !all_found_)
+    is_on_walls_ = moved_.empty() && !any_out && all_found_;
+    if (is_on_walls_ || !all_found_)
       return std::nullopt;
     take_along();
     turn_onto_walls();
@@ -429,20 +433,21 @@ private:
   std::vector<std::uint8_t> is_moved_;
   std::vector<std::uint32_t> moved_;
   bool all_found_ = true;
+  bool is_on_walls_ = false;
 };
 
 }  // namespace
 
-std::optional<rounded_surface> put_on_round_walls(const labelled_surface& surface,
-                                                  round_walls& walls) {
+put_on_outcome put_on_round_walls(const labelled_surface& surface, round_walls& walls) {
   if (surface.mesh.vertices.empty())
-    return std::nullopt;
+    return {};
   rounded_surface result{surface, 0};
-  const auto change = wall_putter(result.surface, walls).put();
+  wall_putter putter(result.surface, walls);
+  const auto change = putter.put();
   if (!change)
-    return std::nullopt;
+    return {std::nullopt, !putter.is_on_walls()};
   result.volume_change = *change;
-  return result;
+  return {std::move(result), true};
 }
 
 }  // namespace tedit::ops

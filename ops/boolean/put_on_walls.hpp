@@ -11,13 +11,19 @@ struct rounded_surface {
   double volume_change = 0;  ///< m^3: by how much what it bounds has become more.
 };
 
+/// What came of putting them on.
+struct put_on_outcome {
+  std::optional<rounded_surface> made;
+  bool wanted = false;  ///< Vertices lie on chords: nothing made is then a failure.
+};
+
 /// The last step before the mesher: new vertices that lie on the chords of round walls go onto the
 /// walls, each onto all of its walls at once; planes stay planes. Vertices beside, which they would
 /// run into, go along within their faces; long chords in the way are halved, short edges
 /// contracted. Nothing where no vertex has to move, or where not all of them can without a triangle
 /// turning over or becoming flat: half of them would be no better for anybody. Cost: O(new
 /// vertices), and a fit of each wall once.
-[[nodiscard]] std::optional<rounded_surface> put_on_round_walls(const labelled_surface& surface,
-                                                                round_walls& walls);
+[[nodiscard]] put_on_outcome put_on_round_walls(const labelled_surface& surface,
+                                                round_walls& walls);
 
 }  // namespace tedit::ops

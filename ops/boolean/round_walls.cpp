@@ -80,6 +80,19 @@ const round_walls::wall& round_walls::behind(const surface_labels& labels, std::
   return row.between || !row.id ? unknown_ : of_part(*row.id);
 }
 
+bool round_walls::has_chord(surface_id id, const std::array<vec3, 3>& facet, const box& near,
+                            double most_off) {
+  const auto& wall = of_part(id);
+  for (int k = 0; k < 3; ++k) {
+    const std::array edge{facet[k], facet[(k + 1) % 3]};
+    const vec3 middle = 0.5 * (edge[0] + edge[1]);
+    if (const auto* round = wall.nearest(middle);
+        round && std::abs(round->distance(middle)) > most_off && near.meets(box_of(edge)))
+      return true;
+  }
+  return false;
+}
+
 const round_walls::wall& round_walls::of_part(surface_id id) {
   const auto [row, fresh] = part_walls_.try_emplace(id);
   if (fresh) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "mesh/box.hpp"
 #include "mesh/features/exact_wall.hpp"
 #include "ops/boolean/remesh.hpp"
 
@@ -30,6 +31,17 @@ public:
 
   /// Interfaces are of no known shape. Cost: that of a fit, once a surface.
   [[nodiscard]] const wall& behind(const surface_labels& labels, std::int32_t label);
+
+  /// Is all of a surface of the part on known round walls? Cost: the same.
+  [[nodiscard]] bool is_round(surface_id id) {
+    const auto& wall = of_part(id);
+    return !wall.round.empty() && !wall.free_form;
+  }
+
+  /// Is the middle of an edge of such a surface's facet that meets a box further than that (m) off
+  /// the wall? Cost: O(1).
+  [[nodiscard]] bool has_chord(surface_id id, const std::array<vec3, 3>& facet, const box& near,
+                               double most_off);
 
 private:
   const wall& of_part(surface_id id);

@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "base/child_process.hpp"
+#include "ops/services/notices.hpp"
 
 namespace tedit::ops {
 
@@ -206,7 +207,14 @@ others_of(const catalogue& plugins, const context& ctx, int depth) {
 expected<edit_result> run_operation(const catalogue& plugins, const std::string& id,
                                     const version_ptr& mesh, const selection& picked,
                                     const parameters& given, context& ctx) {
-  return run_nested(plugins, id, mesh, picked, given, ctx, 0);
+  auto* const host = dynamic_cast<telling_services*>(ctx.host);
+  if (host)
+    (void)host->take_notices();  // Of an edit that was refused.
+  auto answer = run_nested(plugins, id, mesh, picked, given, ctx, 0);
+  if (answer && host)
+    for (auto& notice : host->take_notices())
+      answer->notices.push_back(std::move(notice));
+  return answer;
 }
 
 namespace {

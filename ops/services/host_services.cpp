@@ -1,14 +1,28 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "ops/services/host_services.hpp"
 
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
 #include "ops/boolean/boolean.hpp"
+#include "ops/services/notices.hpp"
 
 namespace tedit::ops {
 
 namespace {
 
-class host_services : public services {
+/// Of the change of volume: what walls gained is told from here on.
+constexpr double told_share = 0.05;
+
+/// Workers serve several edits at once, each on a thread.
+thread_local std::vector<std::string> told;
+
+class host_services : public telling_services {
 public:
+  std::vector<std::string> take_notices() override { return std::exchange(told, {}); }
+
   expected<tet_filling> tetrahedralise(const closed_surface& shell, const execution& run) override {
     return tetrahedralise_surface(shell, run);
   }
@@ -19,14 +33,27 @@ public:
 
   expected<boolean_result> boolean(const version_ptr& mesh, const tool_surface& tool,
                                    const boolean_request& request, const execution& run) override {
-    return combine_with_tool(mesh, tool, {}, request, run);
+    return with_notice(combine_with_tool(mesh, tool, {}, request, run));
   }
 
   expected<boolean_result> boolean_onto(const version_ptr& mesh, const tool_surface& tool,
                                         const std::vector<std::optional<surface_id>>& continues,
                                         const boolean_request& request,
                                         const execution& run) override {
-    return combine_with_tool(mesh, tool, continues, request, run);
+    return with_notice(combine_with_tool(mesh, tool, continues, request, run));
+  }
+
+private:
+  static expected<boolean_result> with_notice(expected<combined>&& found) {
+    if (!found)
+      return fail(found.error());
+    if (std::abs(found->rounder) > told_share * std::abs(found->made.volume_change)) {
+      std::array<char, 32> change{};
+      std::snprintf(change.data(), change.size(), "%+.3g", 1e9 * found->rounder);
+      told.push_back("the round walls at the tool follow their arcs closer now: " +
+                     std::string(change.data()) + " mm3 of the change of volume come of that");
+    }
+    return std::move(found->made);
   }
 };
 

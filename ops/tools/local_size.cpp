@@ -7,6 +7,7 @@
 
 #include "mesh/changes.hpp"
 #include "mesh/distances.hpp"
+#include "mesh/quality.hpp"
 
 namespace tedit::ops {
 
@@ -121,6 +122,13 @@ std::vector<tet_id> changed_tets(const mesh_version& before, const mesh_version&
   std::ranges::sort(result);
   result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;
+}
+
+double worst_quality(const mesh_version& mesh, const std::vector<tet_id>& tets) {
+  double worst = 1;
+  for (const auto t : tets)
+    worst = std::min(worst, radius_ratio(mesh.corners(t)));
+  return worst;
 }
 
 std::vector<ray_hit> ray_hits(const mesh_version& mesh, vec3 origin, vec3 direction) {

@@ -24,6 +24,9 @@ namespace tedit::ops {
 [[nodiscard]] std::vector<tet_id> changed_tets(const mesh_version& before,
                                                const mesh_version& after);
 
+/// The least radius ratio of some tets; 1 of none. Cost: O(tets).
+[[nodiscard]] double worst_quality(const mesh_version& mesh, const std::vector<tet_id>& tets);
+
 /// Where a ray passes through the boundary.
 struct ray_hit {
   double distance = 0;  ///< m, along the unit direction.

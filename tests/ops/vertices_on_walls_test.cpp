@@ -115,6 +115,24 @@ double taken_across(double bore, double hole) {
   return 8 * sum;
 }
 
+// The middles of the bore's twelve chords are .2 (1 - cos 15 degrees) = .0068 off it, a third of
+// the holes' radius: put on as they are, their rims would be turned over.
+TEST_F(VerticesOnWalls, AHoleThatIsSmallBesideAChordOfABoreHasItsVerticesOnBoth) {
+  const auto part = bored();
+  int on_both = 0;
+  for (int side = 0; side < 12; ++side) {
+    const double angle = (15 + 30 * side) * pi / 180;
+    const vec3 out{std::cos(angle), std::sin(angle), 0};
+    const by_hand pit{"pit", vec3{0.5, 0.5, 0.47} + 0.3 * out, out, 0.04};
+
+    const auto result = made(part, rod(pit, 0.24, 24));
+
+    on_both += furthest_off(*result.candidate, {bore_, pit}) < 1e-9;
+    EXPECT_GE(result.worst_after, lowest_boolean_quality);
+  }
+  EXPECT_GE(on_both, 11);
+}
+
 TEST_F(VerticesOnWalls, AHoleAcrossABoreHasItsVerticesOnBoth) {
   const by_hand across{"across", {0.5, 0.5, 0.47}, {1, 0, 0}, 0.11};
 

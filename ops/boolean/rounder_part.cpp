@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "ops/boolean/rounder_part.hpp"
+
+#include <algorithm>
+
+#include "mesh/adapt/split_edges.hpp"
+#include "mesh/quality.hpp"
+
+namespace tedit::ops {
+
+namespace {
+
+/// Of the tool's least extent and the local size: how far chords may be off their walls, and how
+/// far around the tool.
+constexpr double chord_share = 0.02;
+constexpr double around = 0.5;
+/// Larger parts are not copied for it: their chords are short.
+constexpr std::uint32_t most_tets = 400'000;
+/// More tets than these are not made for an edit's sake: the tool is not small then.
+constexpr std::size_t most_more_tets = 4'000;
+/// That a vertex on its wall may leave, and what is made anew.
+constexpr double least_quality = 0.005;
+constexpr double flat = 0.2;
+
+/// Round walls that have edges near whose middles are further off them than that.
+std::vector<surface_id> walls_with_chords(const mesh_version& part,
+                                          const std::vector<facet_id>& facets, round_walls& walls,
+                                          const box& near, double most_off) {
+  std::vector<surface_id> result;
+  for (const auto f : facets) {
+    const auto& facet = part.facet(f);
+    const std::array corners{part.position(facet.v[0]), part.position(facet.v[1]),
+                             part.position(facet.v[2])};
+    if (std::ranges::find(result, facet.surface) == result.end() && walls.is_round(facet.surface) &&
+        walls.has_chord(facet.surface, corners, near, most_off))
+      result.push_back(facet.surface);
+  }
+  return result;
+}
+
+}  // namespace
+
+expected<rounder_part> with_shorter_chords(const version_ptr& part, const tool_surface& tool,
+                                           const std::vector<facet_id>& near, round_walls& walls,
+                                           double size, const execution& run) {
+  rounder_part result;
+  if (part->tet_count() > most_tets)
+    return result;
+  box extent;
+  for (const auto& p : tool.points)
+    extent.add(p);
+  const vec3 wide = extent.high - extent.low;
+  const double least = std::min({wide.x, wide.y, wide.z, size});
+  extent = extent.grown(around * least);
+  const auto round = walls_with_chords(*part, near, walls, extent, chord_share * least);
+  if (round.empty())
+    return result;
+  adapt_mesh work(*part);
+  const auto made = split_chords(
+    *part, work,
+    {extent, round, chord_share * least, least_quality, work.tet_count() + most_more_tets}, run);
+  if (!made)
+    return fail(made.error());
+  if (made->vertices == 0)
+    return result;
+  mesh_builder builder(part);
+  if (auto ok = work.write(builder); !ok)
+    return fail(ok.error());
+  for (const auto t : builder.touched())
+    if (radius_ratio(builder.corners(t)) < flat)
+      result.flat.push_back(t);
+  result.mesh = builder.freeze();
+  return result;
+}
+
+}  // namespace tedit::ops
