@@ -125,13 +125,13 @@ expected<split_report> split_edges(const mesh_version& base, adapt_mesh& mesh,
 
 expected<split_report> split_chords(const mesh_version& base, adapt_mesh& mesh,
                                     const chord_settings& settings, const execution& run) {
-  wall_places walls(base);
+  wall_places walls(base, settings.is_round);
   const auto is_off = [&](const edge_splitter& splitter, const splitter_edge& e) {
     return settings.near.meets(box_of(std::array{mesh.at(e.a), mesh.at(e.b)})) &&
            std::ranges::any_of(splitter.walls_at(e), [&](surface_id wall) {
              // An end that could not be put on its wall would be halved at for ever.
              const double near = end_share * settings.most_off;
-             return std::ranges::find(settings.walls, wall) != settings.walls.end() &&
+             return settings.is_round(wall) &&
                     walls.off(wall, 0.5 * (mesh.at(e.a) + mesh.at(e.b))) > settings.most_off &&
                     walls.off(wall, mesh.at(e.a)) < near && walls.off(wall, mesh.at(e.b)) < near;
            });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <span>
 
 #include "base/execution.hpp"
@@ -40,10 +41,14 @@ struct split_report {
                                                  std::vector<double> sizes, std::size_t most_tets,
                                                  const execution& run);
 
+/// Is a wall whose corners lie on a cylinder, cone, sphere or torus meant to be one? Those of a
+/// hexagon do, too.
+using round_test = std::function<bool(surface_id)>;
+
 /// Which chords of round walls are halved.
 struct chord_settings {
   box near;                         ///< Those that meet it.
-  std::vector<surface_id> walls;    ///< Of these.
+  round_test is_round;              ///< Of these walls; no vertex goes onto another's fit.
   double most_off = 0;              ///< m: how far the middle of one may be off its wall.
   double least_quality = 0.1;       ///< For that no tet becomes flatter, or half as good.
   std::size_t most_tets = 4000000;  ///< Of the whole part afterwards.

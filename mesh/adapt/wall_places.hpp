@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <span>
@@ -14,7 +15,10 @@ namespace tedit {
 /// fitted when it is first asked for.
 class wall_places {
 public:
-  explicit wall_places(const mesh_version& mesh) : mesh_(mesh) {}
+  /// @param is_round which walls may be taken for cylinders, cones, spheres or tori; all where it
+  /// is empty.
+  explicit wall_places(const mesh_version& mesh, std::function<bool(surface_id)> is_round = {})
+      : mesh_(mesh), is_round_(std::move(is_round)) {}
 
   /// Where the middle of an edge of the skin belongs: on all the walls whose triangles meet there,
   /// but for those of free form. The middle itself where they are flat or no such point is near.
@@ -29,6 +33,7 @@ private:
   const std::optional<exact_wall>& wall_of(surface_id id);
 
   const mesh_version& mesh_;
+  std::function<bool(surface_id)> is_round_;
   std::map<surface_id, std::optional<exact_wall>> walls_;
 };
 

@@ -22,20 +22,15 @@ constexpr std::size_t most_more_tets = 4'000;
 constexpr double least_quality = 0.005;
 constexpr double flat = 0.2;
 
-/// Round walls that have edges near whose middles are further off them than that.
-std::vector<surface_id> walls_with_chords(const mesh_version& part,
-                                          const std::vector<facet_id>& facets, round_walls& walls,
-                                          const box& near, double most_off) {
-  std::vector<surface_id> result;
-  for (const auto f : facets) {
+/// Has a round wall edges near whose middles are further off it than that?
+bool has_chords(const mesh_version& part, const std::vector<facet_id>& facets, round_walls& walls,
+                const box& near, double most_off) {
+  return std::ranges::any_of(facets, [&](facet_id f) {
     const auto& facet = part.facet(f);
     const std::array corners{part.position(facet.v[0]), part.position(facet.v[1]),
                              part.position(facet.v[2])};
-    if (std::ranges::find(result, facet.surface) == result.end() && walls.is_round(facet.surface) &&
-        walls.has_chord(facet.surface, corners, near, most_off))
-      result.push_back(facet.surface);
-  }
-  return result;
+    return walls.is_round(facet.surface) && walls.has_chord(facet.surface, corners, near, most_off);
+  });
 }
 
 }  // namespace
@@ -52,13 +47,14 @@ expected<rounder_part> with_shorter_chords(const version_ptr& part, const tool_s
   const vec3 wide = extent.high - extent.low;
   const double least = std::min({wide.x, wide.y, wide.z, size});
   extent = extent.grown(around * least);
-  const auto round = walls_with_chords(*part, near, walls, extent, chord_share * least);
-  if (round.empty())
+  if (!has_chords(*part, near, walls, extent, chord_share * least))
     return result;
   adapt_mesh work(*part);
-  const auto made = split_chords(
-    *part, work,
-    {extent, round, chord_share * least, least_quality, work.tet_count() + most_more_tets}, run);
+  const auto made =
+    split_chords(*part, work,
+                 {extent, [&](surface_id id) { return walls.is_round(id); }, chord_share * least,
+                  least_quality, work.tet_count() + most_more_tets},
+                 run);
   if (!made)
     return fail(made.error());
   if (made->vertices == 0)

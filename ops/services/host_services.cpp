@@ -16,12 +16,21 @@ namespace {
 /// Of the change of volume: what walls gained is told from here on.
 constexpr double told_share = 0.05;
 
-/// Workers serve several edits at once, each on a thread.
-thread_local std::vector<std::string> told;
+/// m^3: gained by walls since it was last told. Workers serve several edits at once, each on a
+/// thread.
+thread_local double gained = 0;
 
 class host_services : public telling_services {
 public:
-  std::vector<std::string> take_notices() override { return std::exchange(told, {}); }
+  std::vector<std::string> take_notices() override {
+    const double change = std::exchange(gained, 0);
+    if (change == 0)
+      return {};
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%+.3g", 1e9 * change);
+    return {"the round walls at the tool follow their arcs closer now: " +
+            std::string(text.data()) + " mm3 of the change of volume come of that"};
+  }
 
   expected<tet_filling> tetrahedralise(const closed_surface& shell, const execution& run) override {
     return tetrahedralise_surface(shell, run);
@@ -33,26 +42,22 @@ public:
 
   expected<boolean_result> boolean(const version_ptr& mesh, const tool_surface& tool,
                                    const boolean_request& request, const execution& run) override {
-    return with_notice(combine_with_tool(mesh, tool, {}, request, run));
+    return and_note(combine_with_tool(mesh, tool, {}, request, run));
   }
 
   expected<boolean_result> boolean_onto(const version_ptr& mesh, const tool_surface& tool,
                                         const std::vector<std::optional<surface_id>>& continues,
                                         const boolean_request& request,
                                         const execution& run) override {
-    return with_notice(combine_with_tool(mesh, tool, continues, request, run));
+    return and_note(combine_with_tool(mesh, tool, continues, request, run));
   }
 
 private:
-  static expected<boolean_result> with_notice(expected<combined>&& found) {
+  static expected<boolean_result> and_note(expected<combined>&& found) {
     if (!found)
       return fail(found.error());
-    if (std::abs(found->rounder) > told_share * std::abs(found->made.volume_change)) {
-      std::array<char, 32> change{};
-      std::snprintf(change.data(), change.size(), "%+.3g", 1e9 * found->rounder);
-      told.push_back("the round walls at the tool follow their arcs closer now: " +
-                     std::string(change.data()) + " mm3 of the change of volume come of that");
-    }
+    if (std::abs(found->rounder) > told_share * std::abs(found->made.volume_change))
+      gained += found->rounder;
     return std::move(found->made);
   }
 };

@@ -94,7 +94,7 @@ TEST_F(Refine, ChordsOfABoreAreHalvedWhereTheyAreTooFarOffIt) {
   adapt_mesh work(*tube);
   chord_settings settings;
   settings.near = {{0.1, -3, -1}, {3, 3, 2}};
-  settings.walls = {1};
+  settings.is_round = [](surface_id id) { return id == 1; };
   settings.most_off = 0.005;
 
   const auto made = split_chords(*tube, work, settings, {});
@@ -126,7 +126,7 @@ TEST_F(Refine, OnlyTheNamedWallsChordsAreHalved) {
   adapt_mesh work(*tube);
   chord_settings settings;
   settings.near = {{-3, -3, -1}, {3, 3, 2}};
-  settings.walls = {3};  // An end, which is flat.
+  settings.is_round = [](surface_id id) { return id == 3; };  // An end, which is flat.
   settings.most_off = 1e-3;
 
   const auto made = split_chords(*tube, work, settings, {});
