@@ -46,11 +46,14 @@ error with_other_files(error why, const fs::path& file) {
 
 /// What the text of a file that could not be read shows of why: the reader is asked once more, for
 /// it is confined. The first words stay; the line and the entity are added.
-error with_fault_of_text(error why, const fs::path& file,
+error with_fault_of_text(error why, file_kind kind, const fs::path& file,
                          const std::function<program_end(std::string_view)>& ask) {
   const auto end = ask(reads_text);
   if (end.done || end.died || end.why.code != ec::bad_input)
     return why;
+  // What OpenCASCADE says of a damaged BREP file goes by what its memory held before.
+  if (kind == file_kind::brep)
+    why.message = "OpenCASCADE cannot read the BREP file";
   why.message += "; " + end.why.message;
   why.where = file.string() + end.why.where.substr(fs::absolute(file).string().size());
   why.remedy = end.why.remedy;
@@ -78,7 +81,7 @@ expected<part_facts> read_part(const import_request& request, file_kind kind,
   if (kind == file_kind::step && !end.died && end.why.code == ec::bad_input)
     end.why = with_other_files(std::move(end.why), request.file);
   if (end.why.code == ec::bad_input && end.why.where.empty())
-    end.why = with_fault_of_text(std::move(end.why), request.file, read);
+    end.why = with_fault_of_text(std::move(end.why), kind, request.file, read);
   if (end.why.where.empty())
     end.why.where = request.file.string();
   return fail(std::move(end.why));
