@@ -45,7 +45,7 @@ error with_other_files(error why, const fs::path& file) {
 }
 
 /// What the text of a file that could not be read shows of why: the reader is asked once more, for
-/// it is confined. The first words stay; the line and the entity are added.
+/// it is confined. The first words stay, but of a BREP file; the line and the entity are added.
 error with_fault_of_text(error why, file_kind kind, const fs::path& file,
                          const std::function<program_end(std::string_view)>& ask) {
   const auto end = ask(reads_text);

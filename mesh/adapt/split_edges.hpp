@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <span>
 
 #include "base/execution.hpp"
 #include "mesh/adapt/adapt_mesh.hpp"
 #include "mesh/adapt/size_field.hpp"
+#include "mesh/adapt/wall_places.hpp"
 #include "mesh/box.hpp"
 
 namespace tedit {
@@ -41,21 +41,19 @@ struct split_report {
                                                  std::vector<double> sizes, std::size_t most_tets,
                                                  const execution& run);
 
-/// Is a wall whose corners lie on a cylinder, cone, sphere or torus meant to be one? Those of a
-/// hexagon do, too.
-using round_test = std::function<bool(surface_id)>;
-
 /// Which chords of round walls are halved.
 struct chord_settings {
-  box near;                         ///< Those that meet it.
-  round_test is_round;              ///< Of these walls; no vertex goes onto another's fit.
-  double most_off = 0;              ///< m: how far the middle of one may be off its wall.
-  double least_quality = 0.1;       ///< For that no tet becomes flatter, or half as good.
+  box near;             ///< Those that meet it.
+  round_test is_round;  ///< Of these walls; no vertex goes onto another's fit.
+  double most_off = 0;  ///< m: how far the middle of one may be off its wall.
+  /// A new vertex stays beside its wall where on it a tet would be flatter than this, and less than
+  /// half as good as beside it.
+  double least_quality = 0.1;
   std::size_t most_tets = 4000000;  ///< Of the whole part afterwards.
 };
 
-/// Halves edges of round walls until their middles are no further off the walls than that: `near`
-/// the part is then as round as a finer mesh would have it. New vertices lie on the walls. Errors:
+/// Halves edges of round walls until their middles are no further off the walls than that: the part
+/// is then as round there as a finer mesh would have it. New vertices lie on the walls. Errors:
 /// as above. Cost: O(mesh), a fit of each wall, and some microseconds a new tet.
 [[nodiscard]] expected<split_report> split_chords(const mesh_version& base, adapt_mesh& mesh,
                                                   const chord_settings& settings,

@@ -11,13 +11,17 @@
 
 namespace tedit {
 
+/// Is a wall whose corners lie on a cylinder, cone, sphere or torus meant to be one? Those of a
+/// hexagon do, too.
+using round_test = std::function<bool(surface_id)>;
+
 /// The exact walls behind a version's surfaces: planes, cylinders, cones, spheres and tori, each
 /// fitted when it is first asked for.
 class wall_places {
 public:
   /// @param is_round which walls may be taken for cylinders, cones, spheres or tori; all where it
   /// is empty.
-  explicit wall_places(const mesh_version& mesh, std::function<bool(surface_id)> is_round = {})
+  explicit wall_places(const mesh_version& mesh, round_test is_round = {})
       : mesh_(mesh), is_round_(std::move(is_round)) {}
 
   /// Where the middle of an edge of the skin belongs: on all the walls whose triangles meet there,
@@ -33,7 +37,7 @@ private:
   const std::optional<exact_wall>& wall_of(surface_id id);
 
   const mesh_version& mesh_;
-  std::function<bool(surface_id)> is_round_;
+  round_test is_round_;
   std::map<surface_id, std::optional<exact_wall>> walls_;
 };
 

@@ -210,9 +210,7 @@ private:
 
   /// All facets that anything of the boolean looks at, ascending, and the part's size.
   void find_near(const tool_surface& tool) {
-    box extent;
-    for (const auto& p : tool.points)
-      extent.add(p);
+    box extent = extent_of(tool);
     // The tool may get a layer all around.
     extent = extent.grown((flush_tolerance + 2 * flush_layer) * size_);
     extent = extent.grown(near_share * norm(extent.high - extent.low));
@@ -438,7 +436,7 @@ std::optional<combined> made_on_rounder_part(
     return std::nullopt;
   tool_boolean second(mesh, std::move(*rounder), tool, continues, request, run);
   auto made = second.best();
-  if (!made || second.on_chords())
+  if (!made)
     return std::nullopt;
   // What became flat beside the tool's cavity as chords were halved.
   mesh_builder builder(made->candidate);

@@ -5,6 +5,7 @@
 
 #include "mesh/adapt/split_edges.hpp"
 #include "mesh/quality.hpp"
+#include "ops/tools/local_size.hpp"
 
 namespace tedit::ops {
 
@@ -41,9 +42,7 @@ expected<rounder_part> with_shorter_chords(const version_ptr& part, const tool_s
   rounder_part result;
   if (part->tet_count() > most_tets)
     return result;
-  box extent;
-  for (const auto& p : tool.points)
-    extent.add(p);
+  box extent = extent_of(tool);
   const vec3 wide = extent.high - extent.low;
   const double least = std::min({wide.x, wide.y, wide.z, size});
   extent = extent.grown(around * least);

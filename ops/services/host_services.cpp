@@ -42,18 +42,18 @@ public:
 
   expected<boolean_result> boolean(const version_ptr& mesh, const tool_surface& tool,
                                    const boolean_request& request, const execution& run) override {
-    return and_note(combine_with_tool(mesh, tool, {}, request, run));
+    return noting_gain(combine_with_tool(mesh, tool, {}, request, run));
   }
 
   expected<boolean_result> boolean_onto(const version_ptr& mesh, const tool_surface& tool,
                                         const std::vector<std::optional<surface_id>>& continues,
                                         const boolean_request& request,
                                         const execution& run) override {
-    return and_note(combine_with_tool(mesh, tool, continues, request, run));
+    return noting_gain(combine_with_tool(mesh, tool, continues, request, run));
   }
 
 private:
-  static expected<boolean_result> and_note(expected<combined>&& found) {
+  static expected<boolean_result> noting_gain(expected<combined>&& found) {
     if (!found)
       return fail(found.error());
     if (std::abs(found->rounder) > told_share * std::abs(found->made.volume_change))

@@ -74,10 +74,7 @@ double local_size(const mesh_version& mesh, const box& where) {
 }
 
 double local_size(const mesh_version& mesh, const tool_surface& tool) {
-  box extent;
-  for (const auto& p : tool.points)
-    extent.add(p);
-  return local_size(mesh, extent);
+  return local_size(mesh, extent_of(tool));
 }
 
 double enclosed_volume(const std::vector<vec3>& points,
@@ -95,6 +92,13 @@ box extent_of(const mesh_version& mesh) {
   for (vertex_id v = 0; v < mesh.vertex_slots(); ++v)
     if (mesh.is_live_vertex(v))
       extent.add(mesh.position(v));
+  return extent;
+}
+
+box extent_of(const tool_surface& tool) {
+  box extent;
+  for (const auto& p : tool.points)
+    extent.add(p);
   return extent;
 }
 

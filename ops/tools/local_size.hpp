@@ -16,8 +16,9 @@ namespace tedit::ops {
 [[nodiscard]] double enclosed_volume(const std::vector<vec3>& points,
                                      const std::vector<std::array<std::uint32_t, 3>>& triangles);
 
-/// The box of the part's live vertices. Cost: O(vertex slots).
+/// The box of the part's live vertices, and of a tool's points. Cost: O(vertex slots), O(points).
 [[nodiscard]] box extent_of(const mesh_version& mesh);
+[[nodiscard]] box extent_of(const tool_surface& tool);
 
 /// The live tets of `after` that are not those of `before`, or have another place for a corner:
 /// what several booleans have touched together, ascending. Cost: O(slots of pages that differ).

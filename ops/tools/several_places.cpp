@@ -19,13 +19,6 @@ constexpr std::size_t most_overlapping = 30;
 /// Of one boolean.
 constexpr std::size_t most_triangles = 4000;
 
-box box_of(const tool_surface& tool) {
-  box extent;
-  for (const auto& p : tool.points)
-    extent.add(p);
-  return extent;
-}
-
 /// Tools as one; `sizes` by the least.
 placed_tool joined(std::span<const placed_tool> tools) {
   placed_tool all = tools.front();
@@ -71,7 +64,7 @@ private:
     const auto part = extent_of(*base_);
     std::vector<box> boxes;
     for (std::size_t i = 0; i < tools_.size(); ++i) {
-      boxes.push_back(box_of(tools_[i].tool));
+      boxes.push_back(extent_of(tools_[i].tool));
       if (!boxes.back().meets(part))
         return fail(at_place({ec::empty_selection, "it is beside the part", "Choose another place"},
                              i + 1, tools_.size(), tools_[i].at));
@@ -97,7 +90,7 @@ private:
     std::size_t triangles = 0;
     std::size_t i = first;
     for (; i < tools_.size(); ++i) {
-      const auto extent = box_of(tools_[i].tool);
+      const auto extent = extent_of(tools_[i].tool);
       triangles += tools_[i].tool.triangles.size();
       const bool meets =
         std::ranges::any_of(taken, [&](const box& other) { return other.meets(extent); });
