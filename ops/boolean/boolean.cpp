@@ -9,7 +9,6 @@
 #include "base/number_range.hpp"
 #include "mesh/adapt/split_edges.hpp"
 #include "mesh/checks.hpp"
-#include "mesh/level_set_tidy.hpp"
 #include "mesh/optimize/improve.hpp"
 #include "mesh/pieces.hpp"
 #include "mesh/quality.hpp"
@@ -18,15 +17,13 @@
 #include "ops/boolean/put_on_walls.hpp"
 #include "ops/boolean/remesh.hpp"
 #include "ops/boolean/rounder_part.hpp"
+#include "ops/boolean/tets_in_box.hpp"
+#include "ops/boolean/ways.hpp"
 #include "ops/tools/local_size.hpp"
 
 namespace tedit::ops {
 
 namespace {
-
-/// Worst q that is good enough to stop at, where the part had it; and the least that is taken.
-constexpr double wanted_quality = 0.1;
-constexpr double least_quality = lowest_boolean_quality;
 
 /// Shares of the local size: what lies in one plane, and the layer that keeps faces apart.
 constexpr double flush_tolerance = 1e-4;
@@ -35,22 +32,6 @@ constexpr double flush_layer = 0.15;
 /// How far around the tool's box facets are looked for, as a share of it: a bit more than
 /// `cavity_finder` asks for.
 constexpr double near_share = 0.06;
-
-/// What moves less than this share of the local size has stayed where it was asked to be; and of
-/// the part's size: a millionth of that is what a CAD model is held against.
-constexpr double exact = 1e-4;
-constexpr double exact_of_part = 3e-7;
-
-/// How a boolean is tried: rings of tets around what the tool crosses, steps from anything new
-/// within which the part's triangles may change, and how the surface is cleaned.
-struct way {
-  int rings = 1;
-  int steps = 2;
-  clean_settings clean;
-};
-constexpr std::array ways{way{1, 2, {exact, 0.005, 0.05}}, way{2, 4, {exact, 0.002, 0.02}},
-                          way{1, 2, {exact, 0.06, 0.25}},  way{1, 3, {5e-3, 0.03, 0.12}},
-                          way{2, 4, {2e-2, 0.06, 0.12}},   way{2, 4, {2e-2, 0.1, 0.3}}};
 
 /// What lies between the chords and the arcs of a coarse part's round walls may be as much as a
 /// small edit: of that, no more than this share is put on with new vertices.
@@ -98,7 +79,7 @@ public:
     // Somebody waits: a large tool is tried fewer times. Not by the clock: the same edit gives the
     // same version everywhere.
     const bool is_large = flush_.tool.triangles.size() > many_triangles;
-    const std::size_t tries = is_rounder() ? 1 : is_large ? 2 : ways.size();
+    const std::size_t tries = is_rounder() ? 1 : is_large ? 2 : boolean_ways.size();
     std::optional<boolean_result> best;
     std::optional<error> last;
     for (std::size_t i = 0; i < tries; ++i) {
@@ -106,7 +87,7 @@ public:
         return fail(ec::cancelled, "the edit was cancelled");
       // The first ones are nearly always the last.
       const auto share = [](std::size_t done) { return 1 - std::pow(0.25, done); };
-      auto made = try_way(finder, ways[i], run_.part(share(i), share(i + 1)));
+      auto made = try_way(finder, boolean_ways[i], run_.part(share(i), share(i + 1)));
       if (!made) {
         last = made.error();
         if (last->code == ec::cancelled)
@@ -119,11 +100,13 @@ public:
         best = std::move(*made);
         on_chords_ = last_on_chords_;
       }
-      if (is_good(*best))
+      // Once it is good only ways that stay where they should may be better.
+      if (is_good(*best) && (is_exact(best->deviation) || i + 1 == tries ||
+                             boolean_ways[i + 1].clean.off_plane > exact_of_size))
         break;
       // What is as flat as this after several tries does not come right.
       if (i + 1 >= hopeless_tries &&
-          best->worst_after < hopeless * std::min(least_quality, best->worst_before))
+          best->worst_after < hopeless * std::min(lowest_boolean_quality, best->worst_before))
         break;
     }
     if (!best) {
@@ -131,7 +114,7 @@ public:
         last->remedy = "Move the tool a little, or make it larger or smaller";
       return fail(*last);
     }
-    if (best->worst_after < std::min(least_quality, best->worst_before))
+    if (best->worst_after < std::min(lowest_boolean_quality, best->worst_before))
       return fail(
         ec::postcondition_failed,
         "the tets around the tool would be too flat (q = " + number_text(best->worst_after) + ")",
@@ -139,8 +122,8 @@ public:
     return std::move(*best);
   }
 
-  static bool is_good(const boolean_result& made) {
-    return made.worst_after >= std::min(wanted_quality, made.worst_before);
+  [[nodiscard]] bool is_exact(double deviation) const {
+    return deviation <= 2 * exact_of_size * size_;
   }
 
   /// Are new vertices of what came out last on chords of round walls instead of on the walls?
@@ -154,10 +137,10 @@ public:
   }
 
   expected<boolean_result> draft() {
-    const auto opened = cut_open(make_finder(), ways.front().rings, run_);
+    const auto opened = cut_open(make_finder(), boolean_ways.front().rings, run_);
     if (!opened)
       return fail(opened.error());
-    const auto surface = surface_of(**opened, ways.front().steps);
+    const auto surface = surface_of(**opened, boolean_ways.front().steps);
     if (!surface)
       return fail(surface.error());
     auto builder = begin();
@@ -181,6 +164,11 @@ private:
     cavity hollow;
     corefined cut;
   };
+
+  /// m: how far anything may go that is to stay on its walls.
+  [[nodiscard]] double off_walls() const {
+    return std::min(exact_of_size * size_, exact_of_part * part_size_);
+  }
 
   [[nodiscard]] bool is_rounder() const { return part_ != mesh_; }
 
@@ -208,33 +196,15 @@ private:
         result.surfaces[i] = continues_[i];
   }
 
-  /// All facets that anything of the boolean looks at, ascending, and the part's size.
+  /// All facets that anything of the boolean looks at, and the part's size.
   void find_near(const tool_surface& tool) {
     box extent = extent_of(tool);
     // The tool may get a layer all around.
     extent = extent.grown((flush_tolerance + 2 * flush_layer) * size_);
     extent = extent.grown(near_share * norm(extent.high - extent.low));
     box part;
-    for (facet_id f = 0; f < mesh_->facet_slots(); ++f) {
-      if (!mesh_->is_live_facet(f))
-        continue;
-      const auto& v = mesh_->facet(f).v;
-      const auto facet =
-        box_of(std::array{mesh_->position(v[0]), mesh_->position(v[1]), mesh_->position(v[2])});
-      part.add(facet.low);
-      part.add(facet.high);
-      if (extent.meets(facet))
-        near_.push_back(f);
-    }
+    near_ = facets_in_box(*mesh_, extent, part);
     part_size_ = norm(part.high - part.low);
-  }
-
-  /// As a share of what the part had there.
-  static bool is_better(const boolean_result& one, const boolean_result& other) {
-    const auto kept = [](const boolean_result& r) {
-      return r.worst_after / std::min(wanted_quality, std::max(r.worst_before, 1e-12));
-    };
-    return kept(one) > kept(other);
   }
 
   /// Made once for so many rings: most ways clean what an earlier one has cut.
@@ -260,7 +230,7 @@ private:
                          steps);
   }
 
-  expected<boolean_result> try_way(const cavity_finder& finder, const way& how,
+  expected<boolean_result> try_way(const cavity_finder& finder, const boolean_way& how,
                                    const execution& run) {
     const auto opened = cut_open(finder, how.rings, run);
     if (!opened)
@@ -268,49 +238,99 @@ private:
     auto labelled = surface_of(**opened, how.steps);
     if (!labelled)
       return fail(labelled.error());
-    auto& surface = *labelled;
-    const auto before = surface.mesh;
     auto settings = how.clean;
-    if (settings.off_plane <= exact)
-      settings.off_plane = std::min(settings.off_plane, exact_of_part * part_size_ / size_);
+    if (settings.off_plane <= exact_of_size)
+      settings.off_plane = off_walls() / size_;
+    auto surface = *labelled;
+    const auto deviation = clean(surface, settings, run);
+    // Bonded regions are cut each for itself, and share their interfaces to the last digit.
+    on_walls round;
+    if (walls_ && !no_good_on_walls_ && (*opened)->hollow.shares.size() == 1) {
+      if (deviation)
+        round = filled_on_walls(**opened, surface, *deviation, run);
+      if (!round.made || !*round.made || !is_good(**round.made))
+        if (auto made = filled_with_slack(**opened, *labelled, settings, run))
+          return std::move(*made);
+    }
+    if (!deviation)
+      return fail(deviation.error());
+    return on_walls_or_facets(std::move(round), **opened, surface, *deviation, run);
+  }
+
+  /// Returns the deviation, if it may be.
+  expected<double> clean(labelled_surface& surface, const clean_settings& settings,
+                         const execution& run) const {
+    const auto before = surface.mesh;
     clean_surface(surface.mesh, settings, run.cancel);
     if (run.cancel.cancelled())
       return fail(ec::cancelled, "the edit was cancelled");
     const double deviation = deviation_of(before, surface.mesh);
-    if (deviation > std::max(request_.max_deviation, 2 * exact * size_))
+    if (deviation > request_.max_deviation && !is_exact(deviation))
       return fail(ec::mesher_failed, "the result would be off what was asked for by " +
                                        number_text(1e3 * deviation) + " mm");
-    run.report(0.5, "meshing");
-    return filled_round((*opened)->hollow, surface, (*opened)->cut, deviation, run);
+    return deviation;
   }
 
-  /// With new vertices on the round walls; where no good tets come of that, with them on the
-  /// facets.
-  expected<boolean_result> filled_round(const cavity& hollow, const labelled_surface& surface,
-                                        const corefined& cut, double deviation,
-                                        const execution& run) {
-    // Bonded regions are cut each for itself, and share their interfaces to the last digit.
-    const bool may_be_round = walls_ && !no_good_on_walls_ && hollow.shares.size() == 1;
-    const auto [round, wanted] =
-      may_be_round ? put_on_round_walls(surface, *walls_) : put_on_outcome{};
-    last_on_chords_ = wanted || no_good_on_walls_;
-    const bool fits =
-      round && std::abs(round->volume_change) <= most_put_on * size_of_edit(hollow, cut);
-    // Made rounder for that: the part as it was has been filled with vertices on chords already.
-    if (!fits && wanted && is_rounder())
-      return fail(ec::mesher_failed, "its new vertices do not fit on their walls");
-    if (!fits)
-      return filled(hollow, surface, cut, 0, deviation, run);
-    auto made = filled(hollow, round->surface, cut, round->volume_change, deviation, run);
+  /// What came of putting new vertices on the round walls.
+  struct on_walls {
+    bool wanted = false;  ///< Some are not there by themselves.
+    std::optional<expected<boolean_result>> made;
+  };
+
+  /// With new vertices on the round walls, where they fit there.
+  on_walls filled_on_walls(const cut_cavity& opened, const labelled_surface& surface,
+                           double deviation, const execution& run) {
+    const auto [round, wanted] = put_on_round_walls(surface, *walls_);
+    if (round && is_small(round->volume_change, opened))
+      return {wanted, filled(opened, round->surface, round->volume_change, deviation, run)};
+    if (!wanted)
+      return {wanted, filled(opened, surface, 0, deviation, run)};
+    return {wanted, std::nullopt};
+  }
+
+  /// The same where cleaning need not keep to the chords of round walls: one that nearly meets
+  /// another edge makes no needles. Nothing where no good tets come of it.
+  std::optional<boolean_result> filled_with_slack(const cut_cavity& opened,
+                                                  labelled_surface surface,
+                                                  const clean_settings& settings,
+                                                  const execution& run) {
+    if (!give_slack(surface, opened.hollow, opened.cut, flush_.tool, *walls_))
+      return std::nullopt;
+    const double before = surface.mesh.volume();
+    const auto deviation = clean(surface, settings, run);
+    if (!deviation || !is_exact(*deviation))
+      return std::nullopt;
+    auto [round, wanted] = put_on_round_walls(surface, *walls_);
+    if (round)
+      surface = std::move(round->surface);
+    const double put_on = surface.mesh.volume() - before;
+    if ((wanted && !round) || !is_small(put_on, opened))
+      return std::nullopt;
+    auto made = filled(opened, surface, put_on, *deviation, run);
+    if (!made || !is_good(*made))
+      return std::nullopt;
     last_on_chords_ = false;
-    if (is_rounder() || (made ? is_good(*made) : made.error().code != ec::mesher_failed))
-      return made;
+    return std::move(*made);
+  }
+
+  /// Where no good tets came with new vertices on the round walls, with them on the facets.
+  expected<boolean_result> on_walls_or_facets(on_walls round, const cut_cavity& opened,
+                                              const labelled_surface& surface, double deviation,
+                                              const execution& run) {
+    last_on_chords_ = false;
+    auto& made = round.made;
+    if (made && (is_rounder() || !round.wanted ||
+                 (*made ? is_good(**made) : made->error().code != ec::mesher_failed)))
+      return std::move(*made);
+    // Made rounder for that: the part as it was has been filled with vertices on chords already.
+    if (round.wanted && is_rounder())
+      return fail(ec::mesher_failed, "its new vertices do not fit on their walls");
     // Where it does not come out once it does not in other ways: each would be meshed twice.
-    no_good_on_walls_ = true;
-    auto plain = filled(hollow, surface, cut, 0, deviation, run);
-    if (made && (!plain || !is_better(*plain, *made)))
-      return made;
-    last_on_chords_ = true;
+    no_good_on_walls_ |= made.has_value();
+    auto plain = filled(opened, surface, 0, deviation, run);
+    if (made && *made && (!plain || !is_better(*plain, **made)))
+      return std::move(*made);
+    last_on_chords_ = round.wanted || no_good_on_walls_;
     return plain;
   }
 
@@ -326,11 +346,11 @@ private:
   }
 
   /// @param put_on m^3: by how much vertices that were put on round walls have changed the surface.
-  expected<boolean_result> filled(const cavity& hollow, const labelled_surface& surface,
-                                  const corefined& cut, double put_on, double deviation,
-                                  const execution& run) {
+  expected<boolean_result> filled(const cut_cavity& opened, const labelled_surface& surface,
+                                  double put_on, double deviation, const execution& run) {
+    run.report(0.5, "meshing");
     auto builder = begin();
-    auto made = replace_cavity(builder, hollow, surface, flush_.tool, filling::tets, run);
+    auto made = replace_cavity(builder, opened.hollow, surface, flush_.tool, filling::tets, run);
     if (!made)
       return fail(made.error());
     if (builder.tet_count() == 0)
@@ -339,15 +359,18 @@ private:
     if (const auto improved = improve(builder, made->tets, {}, run.part(0.7, 0.8)); !improved)
       return fail(improved.error());
     auto result = frozen(builder);
-    if (made->tets.size() < many_tets &&
-        result.worst_after < std::min(wanted_quality, result.worst_before)) {
-      if (auto ok = mend(builder, run.part(0.8, 1)); !ok)
+    for (int step = 0; step < 2 && made->tets.size() < many_tets && !is_good(result); ++step) {
+      // Where all corners of a flat tet are on walls, what may change within these alone helps.
+      if (auto ok = step == 0
+                      ? tidy_filling(builder, run.part(0.8, 0.9))
+                      : mend_flat(builder, builder.touched(), off_walls(), run.part(0.9, 1));
+          !ok)
         return fail(ok.error());
       result = frozen(builder);
     }
     result.deviation = deviation;
     name_surfaces(result, std::move(made->surfaces));
-    if (auto ok = volume_fits(hollow, cut, put_on, result); !ok)
+    if (auto ok = volume_fits(opened, put_on, result); !ok)
       return fail(ok.error());
     return result;
   }
@@ -362,17 +385,6 @@ private:
     return result;
   }
 
-  /// Edges of the boundary that may go without a change of shape go, too.
-  expected<void> mend(mesh_builder& builder, const execution& run) const {
-    tidy_settings settings;
-    settings.tolerance = 0;
-    if (auto ok = tidy_cut(builder, builder.touched(), settings, run.part(0, 0.5)); !ok)
-      return fail(ok.error());
-    if (const auto improved = improve(builder, builder.touched(), {}, run.part(0.5, 1)); !improved)
-      return fail(improved.error());
-    return {};
-  }
-
   [[nodiscard]] bool changes_nothing(const cavity& hollow, const corefined& cut) const {
     // Points that were put on shared planes have moved by less than this share of the tool amounts
     // to, or of the part where the tool is a half-space. The part is measured last: it may be
@@ -383,25 +395,27 @@ private:
            change <= 1e-9 * total_volume(*mesh_);
   }
 
-  /// m^3: what is cut or added; of a `keep`, what is kept is no more than the tool.
-  [[nodiscard]] double size_of_edit(const cavity& hollow, const corefined& cut) const {
-    return std::min(std::abs(wanted_change(hollow, cut)),
-                    enclosed_volume(flush_.tool.points, flush_.tool.triangles));
+  /// Is that volume (m^3) little beside what is cut or added? Of a `keep`, what is kept is no more
+  /// than the tool.
+  [[nodiscard]] bool is_small(double volume, const cut_cavity& opened) const {
+    const double edit = std::min(std::abs(wanted_change(opened)),
+                                 enclosed_volume(flush_.tool.points, flush_.tool.triangles));
+    return std::abs(volume) <= most_put_on * edit;
   }
 
   /// By how much the exact boolean changes the part's volume, m^3.
-  [[nodiscard]] double wanted_change(const cavity& hollow, const corefined& cut) const {
-    double change = cut.volume_change;
-    for (const auto t : hollow.gone)
+  [[nodiscard]] double wanted_change(const cut_cavity& opened) const {
+    double change = opened.cut.volume_change;
+    for (const auto t : opened.hollow.gone)
       change -= signed_volume(mesh_->corners(t));
     return change;
   }
 
   /// The tets' volume is that of the exact boolean, but for what may be off.
-  expected<void> volume_fits(const cavity& hollow, const corefined& cut, double put_on,
+  expected<void> volume_fits(const cut_cavity& opened, double put_on,
                              const boolean_result& result) const {
     const double wanted =
-      hollow.tets.empty() ? result.volume_change : wanted_change(hollow, cut) + put_on;
+      opened.hollow.tets.empty() ? result.volume_change : wanted_change(opened) + put_on;
     const double off = std::abs(result.volume_change - wanted);
     if (off > 1e-3 * std::abs(wanted) + 0.01 * size_ * size_ * size_)
       return fail(ec::mesher_failed, "the volume that came out is not that of the tool");
@@ -466,8 +480,8 @@ expected<combined> combine_with_tool(const version_ptr& mesh, const tool_surface
   if (made ? first.on_chords() : made.error().code == ec::postcondition_failed)
     if (auto rounder =
           made_on_rounder_part(first, mesh, tool, continues, request, run.part(0.8, 1));
-        rounder && (!made || tool_boolean::is_good(rounder->made) ||
-                    rounder->made.worst_after >= made->worst_after))
+        rounder &&
+        (!made || is_good(rounder->made) || rounder->made.worst_after >= made->worst_after))
       return std::move(*rounder);
   if (!made)
     return fail(made.error());

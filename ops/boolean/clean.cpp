@@ -28,8 +28,15 @@ class cleaner {
 public:
   cleaner(surface_mesh& mesh, const clean_settings& settings, const cancel_token& cancel)
       : mesh_(mesh), settings_(settings), cancel_(cancel) {
-    for (const auto& v : mesh.vertices)
+    double sum = 0;
+    int count = 0;
+    for (const auto& v : mesh.vertices) {
       size_before_.push_back(v.size);
+      sum += v.origin < 0 ? v.size : 0;
+      count += v.origin < 0;
+    }
+    if (settings.fine && count > 0)
+      least_fine_ = settings.least_size * sum / count;
   }
 
   void run() {
@@ -37,13 +44,11 @@ public:
     grade(0.6);
     weld(settings_.weld);
     remesh(6);
-    if (shrink_near_misses(settings_.least_size)) {
+    double least = settings_.least_size;
+    for (int again = 0; again < (settings_.fine ? 3 : 2) && shrink_near_misses(least); ++again) {
       grade(0.7);
-      remesh(3);
-      if (shrink_near_misses(0.6)) {
-        grade(0.7);
-        remesh(3);
-      }
+      remesh(settings_.fine ? 8 : 3);
+      least = 0.6;
     }
     weld(settings_.weld);
     remesh(2);
@@ -85,12 +90,18 @@ private:
     return twice_area > 1e-10 * side * side && dot(n, normal) > limit * twice_area;
   }
 
-  /// How far v is off the planes of the faces at u, as a share of the size.
+  /// How far v is off the planes of the faces at u, less their slack, as a share of the size.
   [[nodiscard]] double off_planes(std::uint32_t u, vec3 to) const {
     double most = 0;
     for (const auto f : mesh_.faces_at(u))
-      most = std::max(most, std::abs(dot(to - at(u), mesh_.faces[f].normal)));
+      most =
+        std::max(most, std::abs(dot(to - at(u), mesh_.faces[f].normal)) - mesh_.faces[f].slack);
     return most / mesh_.vertices[u].size;
+  }
+
+  /// m: how far a vertex may go off the plane of a face.
+  [[nodiscard]] double may_leave(std::uint32_t f, double size) const {
+    return settings_.off_plane * size + mesh_.faces[f].slack;
   }
 
   [[nodiscard]] static bool has(const triangle& t, std::uint32_t v) {
@@ -114,7 +125,7 @@ private:
       const double side = longest_side(t);
       const double height = side > 0 ? norm(n) / side : 0;
       const vec3 normal = mesh_.faces[f].normal;
-      if (height > 2 * tolerance * size && std::abs(dot(step, normal)) > settings_.off_plane * size)
+      if (height > 2 * tolerance * size && std::abs(dot(step, normal)) > may_leave(f, size))
         return false;
       if (height > 1.5 * tolerance * size && dot(n, normal) < weld_turn_limit * norm(n))
         return false;
@@ -193,7 +204,7 @@ private:
     // On a crease only what leaves its faces where they are.
     if (mesh_.is_crease(u, v))
       for (const auto g : all)
-        if (std::abs(dot(place - foot, mesh_.faces[g].normal)) > settings_.off_plane * size)
+        if (std::abs(dot(place - foot, mesh_.faces[g].normal)) > may_leave(g, size))
           return false;
     const auto middle = mesh_.split(u, v, place);
     return middle != no_id &&
@@ -276,7 +287,8 @@ private:
       if (!faces_along(t, normal, poor ? poor_flip_limit : flip_limit))
         return false;
     const double rise = std::abs(dot(at(next[0][1]) - at(a), one.normal));
-    if (rise > settings_.off_plane * mesh_.size(a, b))
+    const double size = mesh_.size(a, b);
+    if (rise > std::min(may_leave(both[0], size), may_leave(both[1], size)))
       return false;
     mesh_.turn(a, b, both);
     return true;
@@ -393,7 +405,8 @@ private:
       next.push_back(v.size);
     bool any = false;
     const auto shrink = [&](std::uint32_t v, double gap) {
-      const double size = std::max(least * mesh_.vertices[v].size, 1.4 * gap);
+      const double lowest = settings_.fine ? least_fine_ : least * mesh_.vertices[v].size;
+      const double size = std::max(lowest, 1.4 * gap);
       if (size < next[v]) {
         next[v] = size;
         any = true;
@@ -438,12 +451,15 @@ private:
   clean_settings settings_;
   const cancel_token& cancel_;
   std::vector<double> size_before_;
+  double least_fine_ = 0;  ///< m.
 };
 
 }  // namespace
 
 void clean_surface(surface_mesh& mesh, const clean_settings& settings, const cancel_token& cancel) {
+  mesh.crease_cosine = settings.fine ? surface_mesh::any_bend : surface_mesh::sharp;
   cleaner(mesh, settings, cancel).run();
+  mesh.crease_cosine = surface_mesh::sharp;
 }
 
 }  // namespace tedit::ops

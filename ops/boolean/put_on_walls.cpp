@@ -54,7 +54,7 @@ public:
     for (const auto& v : mesh_.vertices)
       was_.push_back(v.position);
     is_moved_.resize(was_.size());
-    const double before = volume();
+    const double before = mesh_.volume();
     bool any_out = false;
     for (std::uint32_t v = 0; v < is_moved_.size(); ++v)
       any_out |= is_off(v) && take_out(v);
@@ -70,7 +70,7 @@ public:
       poor = poor_faces();
     if (!all_found_ || !poor.empty())
       return std::nullopt;
-    return volume() - before;
+    return mesh_.volume() - before;
   }
 
 private:
@@ -415,15 +415,6 @@ private:
     is_moved_.push_back(0);
     find_place(v);
     return true;
-  }
-
-  [[nodiscard]] double volume() const {
-    double sum = 0;
-    const vec3 origin = was_.front();
-    for (const auto& f : mesh_.faces)
-      if (f.alive && f.sides[1] < 0)
-        sum += dot(at(f.v[0]) - origin, mesh_.normal_of(f.v)) / 6;
-    return sum;
   }
 
   surface_mesh& mesh_;

@@ -6,6 +6,8 @@
 
 #include "mesh/box_tree.hpp"
 #include "mesh/distances.hpp"
+#include "mesh/level_set_tidy.hpp"
+#include "mesh/optimize/improve.hpp"
 #include "mesh/pieces.hpp"
 #include "ops/mesher/mesher.hpp"
 
@@ -401,7 +403,8 @@ double deviation_of(const surface_mesh& before, const surface_mesh& after) {
   double most = 0;
   for (std::uint32_t v = 0; v < before.vertices.size(); ++v) {
     const auto& at = before.faces_at(v);
-    if (before.vertices[v].fixed || at.empty())
+    if (before.vertices[v].fixed || at.empty() ||
+        std::ranges::any_of(at, [&](auto f) { return before.faces[f].slack > 0; }))
       continue;
     const vec3 p = before.vertices[v].position;
     double least = 1e300;
@@ -423,6 +426,16 @@ expected<replaced> replace_cavity(mesh_builder& builder, const cavity& hollow,
                                   const labelled_surface& surface, const tool_surface& tool,
                                   filling how, const execution& run) {
   return cavity_filler(builder, hollow, surface, tool, how).replace(run);
+}
+
+expected<void> tidy_filling(mesh_builder& builder, const execution& run) {
+  tidy_settings settings;
+  settings.tolerance = 0;
+  if (auto ok = tidy_cut(builder, builder.touched(), settings, run.part(0, 0.5)); !ok)
+    return fail(ok.error());
+  if (const auto improved = improve(builder, builder.touched(), {}, run.part(0.5, 1)); !improved)
+    return fail(improved.error());
+  return {};
 }
 
 }  // namespace tedit::ops

@@ -49,7 +49,7 @@ struct labelled_surface {
   double size, int free_steps);
 
 /// How far the points of the exact boolean are from the cleaned surface at most, m. Frozen faces
-/// have not moved.
+/// have not moved; points of facets with slack are left out, as their wall is elsewhere.
 [[nodiscard]] double deviation_of(const surface_mesh& before, const surface_mesh& after);
 
 /// What a cavity is filled with.
@@ -69,5 +69,9 @@ struct replaced {
                                                 const labelled_surface& surface,
                                                 const tool_surface& tool, filling how,
                                                 const execution& run);
+
+/// Of what was touched, edges of the boundary that may go without a change of shape go, and the
+/// tets are improved again. Errors: `cancelled`, `out_of_memory`. Cost: O(touched).
+[[nodiscard]] expected<void> tidy_filling(mesh_builder& builder, const execution& run);
 
 }  // namespace tedit::ops

@@ -133,6 +133,26 @@ void round_walls::add(wall& to, const facet_corners& corners, bool is_part) cons
     to.round.push_back(*shape);
 }
 
+bool give_slack(labelled_surface& surface, const cavity& hollow, const corefined& cut,
+                const tool_surface& tool, round_walls& walls) {
+  bool any = false;
+  for (std::size_t i = 0; i < cut.triangles.size(); ++i) {
+    auto& face = surface.mesh.faces[i];
+    const auto& wall = walls.behind(surface.labels, face.label);
+    if (wall.round.empty() || wall.free_form)
+      continue;
+    const auto parent = static_cast<std::int64_t>(cut.parent[i]);
+    const auto& t = parent < 0 ? tool.triangles[-1 - parent] : hollow.surface.triangles[parent];
+    const auto& points = parent < 0 ? tool.points : hollow.surface.points;
+    for (int k = 0; k < 3; ++k) {
+      const vec3 middle = 0.5 * (points[t[k]] + points[t[(k + 1) % 3]]);
+      face.slack = std::max(face.slack, std::abs(wall.nearest(middle)->distance(middle)));
+    }
+    any |= face.slack > 0;
+  }
+  return any;
+}
+
 bool moves_walls(const mesh_version& part, const tool_surface& tool,
                  const std::vector<std::optional<surface_id>>& continues,
                  const std::vector<facet_id>& near) {

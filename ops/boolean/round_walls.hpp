@@ -56,6 +56,12 @@ private:
   const wall unknown_{{}, {}, true};
 };
 
+/// Gives the triangles of a surface that is as the exact boolean left it the slack of what they are
+/// a part of: by so much that chords are off their round wall. False where there is none.
+/// Cost: O(triangles), and that of the fits.
+bool give_slack(labelled_surface& surface, const cavity& hollow, const corefined& cut,
+                const tool_surface& tool, round_walls& walls);
+
 /// Does the tool have facets of the part for faces that continue a surface, so that it moves walls?
 /// @param near all live facets that meet the tool's box.
 [[nodiscard]] bool moves_walls(const mesh_version& part, const tool_surface& tool,

@@ -9,8 +9,6 @@ namespace tedit::ops {
 
 namespace {
 
-/// A bend of more than 40 degrees within a surface is a crease.
-constexpr double crease_cosine = 0.766;
 /// A crease that bends by more than 40 degrees has a corner there.
 constexpr double straight_cosine = -0.766;
 
@@ -106,8 +104,10 @@ bool surface_mesh::is_edge(std::uint32_t a, std::uint32_t b) const {
 bool surface_mesh::bends(std::uint32_t f, std::uint32_t g) const {
   const auto& one = faces[f];
   const auto& other = faces[g];
+  // Facets of one round wall are one face of it, however finely bends are looked at.
+  const double limit = one.slack > 0 && other.slack > 0 ? sharp : crease_cosine;
   return one.label != other.label || one.frozen != other.frozen ||
-         dot(one.normal, other.normal) < crease_cosine;
+         dot(one.normal, other.normal) < limit;
 }
 
 bool surface_mesh::is_crease(std::uint32_t a, std::uint32_t b) const {
@@ -189,6 +189,14 @@ double surface_mesh::shape_of(const triangle& t) const {
 
 double surface_mesh::length(std::uint32_t a, std::uint32_t b) const {
   return norm(vertices[a].position - vertices[b].position);
+}
+
+double surface_mesh::volume() const {
+  double sum = 0;
+  for (const auto& f : faces)
+    if (f.alive && f.sides[1] < 0)
+      sum += dot(vertices[f.v[0]].position - vertices.front().position, normal_of(f.v)) / 6;
+  return sum;
 }
 
 void surface_mesh::drop(std::uint32_t f) {

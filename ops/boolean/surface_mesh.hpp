@@ -28,6 +28,8 @@ public:
     bool frozen = false;  ///< It stays as it is, with its corners.
     bool alive = true;
     vec3 normal;  ///< Unit, outward, of what it is a part of.
+    /// m: a facet of a round wall is no more than near that, and may be left by so much.
+    double slack = 0;
   };
 
   struct vertex {
@@ -47,6 +49,11 @@ public:
 
   std::vector<vertex> vertices;
   std::vector<face> faces;
+
+  /// Cosine of the bend from which on an edge within a surface is a crease.
+  static constexpr double sharp = 0.766;       // 40 degrees
+  static constexpr double any_bend = 0.99999;  // 0.26 degrees
+  double crease_cosine = sharp;
 
   /// After vertices and faces were filled in: finds what lies where, and fixes the corners of
   /// frozen faces and of edges at which a region has not two faces.
@@ -74,6 +81,7 @@ public:
   /// 4 sqrt(3) area / sum of squared edges: 1 for the regular triangle.
   [[nodiscard]] double shape_of(const triangle& t) const;
   [[nodiscard]] double length(std::uint32_t a, std::uint32_t b) const;
+  [[nodiscard]] double volume() const;  ///< m^3: of what it bounds, interfaces left out.
   [[nodiscard]] double size(std::uint32_t a, std::uint32_t b) const {
     return 0.5 * (vertices[a].size + vertices[b].size);
   }

@@ -70,4 +70,20 @@ std::vector<tet_id> tets_in_box(const mesh_version& mesh, const box& where,
   return found;
 }
 
+std::vector<facet_id> facets_in_box(const mesh_version& mesh, const box& where, box& all) {
+  std::vector<facet_id> result;
+  for (facet_id f = 0; f < mesh.facet_slots(); ++f) {
+    if (!mesh.is_live_facet(f))
+      continue;
+    const auto& v = mesh.facet(f).v;
+    const auto facet =
+      box_of(std::array{mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2])});
+    all.add(facet.low);
+    all.add(facet.high);
+    if (where.meets(facet))
+      result.push_back(f);
+  }
+  return result;
+}
+
 }  // namespace tedit::ops

@@ -15,4 +15,9 @@ namespace tedit::ops {
 [[nodiscard]] std::vector<tet_id> tets_in_box(const mesh_version& mesh, const box& where,
                                               const std::vector<facet_id>& near);
 
+/// All live facets whose boxes meet a box, ascending; `all` becomes that of all live facets.
+/// Cost: O(facet slots).
+[[nodiscard]] std::vector<facet_id> facets_in_box(const mesh_version& mesh, const box& where,
+                                                  box& all);
+
 }  // namespace tedit::ops

@@ -9,7 +9,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "mesh/adapt/split_edges.hpp"
 #include "mesh/checks.hpp"
+#include "mesh/quality.hpp"
 #include "ops/boolean/boolean.hpp"
 #include "ops/services/host_services.hpp"
 #include "ops/tools/tools.hpp"
@@ -150,6 +152,24 @@ TEST_F(Boolean, ADraftIsRefusedForToolsThatAreNoneOrMeetNothing) {
   EXPECT_EQ(refused(open), ec::invalid_argument);
   EXPECT_EQ(refused(brick({3, 3, 3}, {1, 1, 1})), ec::empty_selection);
   EXPECT_EQ(refused(brick({-1, -1, -1}, {3, 3, 3})), ec::empty_selection) << "nothing is left";
+}
+
+// The vertex in the middle of the top is moved to a tenth of the way to the edge of the plate: its
+// tets there have all of their corners on the walls, so that nothing inside of them can move.
+TEST_F(Boolean, WhatIsFlatBetweenWallsIsMendedWithinThem) {
+  const auto plate = test::box_mesh({2, 2, 1}, {1, 1, 0.3});
+  mesh_builder builder(plate);
+  for (vertex_id v = 0; v < plate->vertex_slots(); ++v)
+    if (norm(plate->position(v) - vec3{0.5, 0.5, 0.3}) < 1e-12)
+      builder.set_position(v, {0.02, 0.5, 0.3});
+  ASSERT_LT(worst_quality(*builder.freeze(), builder.touched()), 0.1);
+
+  ASSERT_TRUE(mend_flat(builder, builder.touched(), 1e-12, {}));
+
+  const auto lifted = builder.freeze();
+  EXPECT_GT(worst_quality(*lifted, builder.touched()), 0.2);
+  EXPECT_NEAR(total_volume(*lifted), 0.3, 1e-12);
+  EXPECT_EQ(check_version(*lifted).total, 0u);
 }
 
 TEST_F(Boolean, AVoidInsideIsCutOut) {

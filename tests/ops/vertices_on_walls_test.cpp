@@ -179,6 +179,26 @@ TEST_F(VerticesOnWalls, AConesVerticesLieOnTheCone) {
   EXPECT_LT(furthest_off(*cut.candidate, {bore_, cone}), 1e-12);
 }
 
+// A groove whose axis is a little askew to the block's top: facet edges of the tool meet the top at
+// half a degree. Kept to the digit, each would leave a needle from there to the next edge.
+TEST_F(VerticesOnWalls, FacetEdgesThatGrazeAWallMakeNoNeedles) {
+  int on_wall = 0;
+  for (int i = 0; i < 12; ++i) {
+    SCOPED_TRACE(i);
+    const by_hand groove{
+      "groove", {0.5, 0.5, 1.02 + 0.004 * i}, normalized(vec3{1, 0.3, 0.009}), 0.11};
+
+    const auto cut = host_->boolean(block_, rod(groove, 3, 24), {boolean_mode::cut, 0}, {});
+
+    if (cut) {
+      EXPECT_LT(cut->deviation, 1e-6);
+      on_wall += cut->worst_after >= 0.1 && furthest_off(*cut->candidate, {groove}) < 1e-9;
+    }
+  }
+  // 4 of 12 where each bend is kept.
+  EXPECT_GE(on_wall, 8);
+}
+
 TEST_F(VerticesOnWalls, ABarAcrossABoreEndsOnItsWall) {
   const by_hand bar{"bar", {0.5, 0.5, 0.5}, {0, 1, 0}, 0.09};
 
