@@ -30,10 +30,11 @@ public:
       : mesh_(mesh), settings_(settings), cancel_(cancel) {
     double sum = 0;
     int count = 0;
-    for (const auto& v : mesh.vertices) {
-      size_before_.push_back(v.size);
-      sum += v.origin < 0 ? v.size : 0;
-      count += v.origin < 0;
+    for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
+      size_before_.push_back(mesh.vertices[v].size);
+      const bool is_new = mesh.vertices[v].origin < 0 && !mesh.faces_at(v).empty();
+      sum += is_new ? mesh.vertices[v].size : 0;
+      count += is_new;
     }
     if (settings.fine && count > 0)
       least_fine_ = settings.least_size * sum / count;

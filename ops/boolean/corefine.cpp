@@ -2,9 +2,12 @@
 #include "ops/boolean/corefine.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
+#include <tuple>
 
 #include "base/child_process.hpp"
+#include "mesh/face_key.hpp"
 #include "ops/mesher/corefine_exchange.hpp"
 #include "ops/mesher/mesher.hpp"
 
@@ -111,6 +114,37 @@ bool fits(const corefined& result, const closed_surface& first, const closed_sur
   return true;
 }
 
+/// Two triangles of one share that lie back to back, with the same corners, bound nothing: such
+/// sheets are left where an edge of the tool passes within rounding of one of the part.
+void drop_sheets(corefined& cut, std::vector<std::uint32_t>& share) {
+  struct side {
+    std::array<vertex_id, 3> corners;
+    std::uint32_t share = 0;
+    bool odd = false;
+    std::size_t triangle = 0;
+  };
+  std::vector<side> sides;
+  for (std::size_t i = 0; i < cut.triangles.size(); ++i) {
+    const auto [corners, odd] = make_face_key(cut.triangles[i]);
+    sides.push_back({corners, share[i], odd, i});
+  }
+  const auto order = [](const side& s) {
+    return std::tuple(s.corners, s.share, s.odd, s.triangle);
+  };
+  std::ranges::sort(sides, {}, order);
+  std::vector<std::uint8_t> goes(sides.size());
+  for (std::size_t i = 1; i < sides.size(); ++i)
+    if (sides[i].corners == sides[i - 1].corners && sides[i].share == sides[i - 1].share &&
+        sides[i].odd != sides[i - 1].odd)
+      goes[sides[i].triangle] = goes[sides[i - 1].triangle] = 1;
+  const auto keep = [&](auto& values) {
+    std::erase_if(values, [&, i = std::size_t{0}](const auto&) mutable { return goes[i++] != 0; });
+  };
+  keep(cut.triangles);
+  keep(cut.parent);
+  keep(share);
+}
+
 }  // namespace
 
 expected<corefined> corefine(const closed_surface& first, const std::vector<solid_share>& shares,
@@ -140,6 +174,7 @@ expected<corefined> corefine(const closed_surface& first, const std::vector<soli
       !reader.at_end() || !fits(result, first, second) ||
       std::ranges::any_of(share, [&](auto s) { return s >= shares.size(); }))
     return fail(ec::mesher_failed, "the mesher's answer is damaged");
+  drop_sheets(result, share);
   for (const auto s : share)
     result.sides.push_back({static_cast<std::int32_t>(s), -1});
   result.volume_change = answer.volume_after - answer.volume_before;
