@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // What must be the same by whichever way operations with tools come to it, on real parts. Volumes
 // are by the tets, not by what the operations say of them.
+#include <map>
 #include <numbers>
 
 #include <gmock/gmock.h>
@@ -8,12 +9,14 @@
 
 #include "base/attachment.hpp"
 #include "base/number_range.hpp"
+#include "fem/solver.hpp"
 #include "mesh/facet_pages.hpp"
 #include "mesh/finish_edit.hpp"
 #include "mesh/io/import.hpp"
 #include "ops/loader/catalogue.hpp"
 #include "ops/services/host_services.hpp"
 #include "ops/tools/local_size.hpp"
+#include "protocol/convert.hpp"
 #include "tests/support/parts.hpp"
 
 namespace tedit::ops {
@@ -256,6 +259,94 @@ TEST_F(Identities, APlateOfADrawingIsTheSameOnAnyWall) {
     EXPECT_NEAR(total_volume(*after(cube, "boss", plate, {wall})) - total_volume(*cube),
                 669.28 * mm3, 0.01 * mm3)
       << wall;
+}
+
+/// The plate under its own weight, so that no wall of a tool is one that is loaded.
+class Fields : public Identities {
+protected:
+  struct field {
+    version_ptr mesh;
+    fem::solution values;
+    std::map<vertex_id, std::size_t> nodes;
+  };
+
+  void SetUp() override {
+    Identities::SetUp();
+    auto read = protocol::load_case_from_file(test::parts_folder / "ctc01_plate/load_case.json");
+    ASSERT_TRUE(read) << render(read.error());
+    loads_ = std::move(*read);
+    loads_.loads = {{{}, fem::gravity{{0, 0, -9.81}}}};
+  }
+
+  field of(const version_ptr& mesh) {
+    const auto problem = fem::make_problem(*mesh, loads_, 2);
+    EXPECT_TRUE(problem) << render(problem.error());
+    const auto device = fem::open_backend("cpu");
+    auto solved = fem::solve(*problem, **device, {.tolerance = 1e-9}, {});
+    EXPECT_TRUE(solved) << render(solved.error());
+    field result{mesh, std::move(*solved), {}};
+    for (std::size_t i = 0; i < problem->corner_count; ++i)
+      result.nodes.emplace(problem->node_vertices[i], i);
+    return result;
+  }
+
+  /// How far two fields are apart at the vertices that both meshes have, as shares of the largest
+  /// displacement, and of the largest stress where it is further than that from a place.
+  static std::array<double, 2> apart(const field& one, const field& other, vec3 from, double near) {
+    double displacement = 0;
+    double stress = 0;
+    std::size_t count = 0;
+    for (const auto& [v, a] : one.nodes) {
+      const auto found = other.nodes.find(v);
+      if (found == other.nodes.end() || one.mesh->position(v) != other.mesh->position(v))
+        continue;
+      ++count;
+      const auto b = found->second;
+      for (int k = 0; k < 3; ++k)
+        displacement = std::max(displacement, std::abs(one.values.displacement[3 * a + k] -
+                                                       other.values.displacement[3 * b + k]));
+      if (norm(one.mesh->position(v) - from) > near)
+        stress = std::max(stress, std::abs(one.values.von_mises[a] - other.values.von_mises[b]));
+    }
+    EXPECT_GT(count, one.nodes.size() / 2);
+    return {displacement / one.values.max_displacement_m,
+            stress / *std::ranges::max_element(one.values.von_mises)};
+  }
+
+  version_ptr plate_ = part("ctc01_plate");
+  fem::load_case loads_;
+};
+
+TEST_F(Fields, AreWhatTheyWereWhenAPocketIsFilledAgain) {
+  const auto before = of(plate_);
+  const auto cut = after(plate_, "pocket", block("130,0,0", 20), {98});
+  const auto back = after(cut, "boss", block("130,0,-20", 20));
+
+  const vec3 place{0.13, 0, -0.01};
+  const auto pocket = apart(before, of(cut), place, 0.03);
+  const auto filled = apart(before, of(back), place, 0.03);
+
+  // What is left is how coarse the mesh is where it was made anew.
+  EXPECT_GT(pocket[0], 2e-3);
+  EXPECT_LT(filled[0], 5e-4);
+  EXPECT_LT(filled[1], 0.02);
+}
+
+TEST_F(Fields, DoNotDependOnTheOrderOfHoles) {
+  const auto hole = [](const std::string& at) {
+    return parameters{{"diameter_mm", 12.0}, {"depth_mm", 0.0}, {"at_mm", at}};
+  };
+  const auto drilled = [&](const char* first, const char* second) {
+    return of(after(after(plate_, "drill", hole(first), {98}), "drill", hole(second), {98}));
+  };
+
+  const auto one = drilled("100,0,0", "150,0,0");
+  const auto other = drilled("150,0,0", "100,0,0");
+
+  const auto off = apart(one, other, {}, 0);
+  EXPECT_NEAR(one.values.compliance_j, other.values.compliance_j, 5e-6 * one.values.compliance_j);
+  EXPECT_LT(off[0], 5e-4);
+  EXPECT_LT(off[1], 0.03);
 }
 
 }  // namespace
