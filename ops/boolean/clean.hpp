@@ -22,7 +22,7 @@ struct clean_settings {
 /// short edges, halves long ones, turns and moves what raises the worst triangle around. Creases
 /// and corners stay, labels stay, frozen faces stay. Source: the practice of isotropic remeshing
 /// (Botsch and Kobbelt 2004), with guards. Where it is cancelled the surface is left as it is then.
-/// Cost: O(faces) a round, a dozen rounds, three dozen where it is fine.
+/// Cost: O(faces) a round, a dozen rounds, some thirty where it is fine.
 void clean_surface(surface_mesh& mesh, const clean_settings& settings, const cancel_token& cancel);
 
 }  // namespace tedit::ops

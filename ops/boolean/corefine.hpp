@@ -13,7 +13,7 @@ struct shared_plane {
   std::array<std::vector<std::uint32_t>, 2> points;  ///< Of the first and the second surface.
 };
 
-/// What an exact boolean leaves.
+/// What an exact boolean leaves, without triangles that lie back to back.
 struct corefined {
   std::vector<vec3> points;
   std::vector<std::int32_t> origin;  ///< Of each point: that of the first surface, or -1.

@@ -154,8 +154,8 @@ TEST_F(Boolean, ADraftIsRefusedForToolsThatAreNoneOrMeetNothing) {
   EXPECT_EQ(refused(brick({-1, -1, -1}, {3, 3, 3})), ec::empty_selection) << "nothing is left";
 }
 
-// The vertex in the middle of the top is moved to a tenth of the way to the edge of the plate: its
-// tets there have all of their corners on the walls, so that nothing inside of them can move.
+// The vertex in the middle of the top is moved to near the edge of the plate. All tets have all of
+// their corners on walls, so that no vertex inside can move.
 TEST_F(Boolean, WhatIsFlatBetweenWallsIsMendedWithinThem) {
   const auto plate = test::box_mesh({2, 2, 1}, {1, 1, 0.3});
   mesh_builder builder(plate);
@@ -166,10 +166,10 @@ TEST_F(Boolean, WhatIsFlatBetweenWallsIsMendedWithinThem) {
 
   ASSERT_TRUE(mend_flat(builder, builder.touched(), 1e-12, {}));
 
-  const auto lifted = builder.freeze();
-  EXPECT_GT(worst_quality(*lifted, builder.touched()), 0.2);
-  EXPECT_NEAR(total_volume(*lifted), 0.3, 1e-12);
-  EXPECT_EQ(check_version(*lifted).total, 0u);
+  const auto mended = builder.freeze();
+  EXPECT_GT(worst_quality(*mended, builder.touched()), 0.2);
+  EXPECT_NEAR(total_volume(*mended), 0.3, 1e-12);
+  EXPECT_EQ(check_version(*mended).total, 0u);
 }
 
 // The slots' edges pass within rounding of the plate's: sheets of no thickness came of that, which
