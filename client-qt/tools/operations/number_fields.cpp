@@ -15,6 +15,7 @@
 
 #include "client-qt/model/quantities.hpp"
 #include "client-qt/model/typed_quantity.hpp"
+#include "client-qt/widgets/theme.hpp"
 
 namespace tedit::desktop {
 
@@ -96,7 +97,7 @@ void picked_field::stop_picking() {
 
 QToolButton* picked_field::make_pick(const QString& help) {
   pick_ = new QToolButton;
-  pick_->setText("⌖");
+  pick_->setIcon(icon("pick", palette().color(QPalette::ButtonText)));
   pick_->setCheckable(true);
   pick_->setToolTip(help);
   pick_->setAccessibleName(help);
