@@ -109,17 +109,17 @@ std::optional<double> formula(const mesh_version& mesh, const ops::round_plan& p
   const auto& chain = plan.chains.front();
   const auto& a = plan.shapes.at(chain.a);
   const auto& b = plan.shapes.at(chain.b);
-  using kind = wall_shape::kind;
-  if (a.type != kind::plane || b.type != kind::plane)
+  if (!a.flat() || !b.flat())
     return std::nullopt;
   const vec3 edge = mesh.position(chain.path.back()) - mesh.position(chain.path.front());
   for (const auto& corner : plan.corners)
     for (const auto s : corner.fan.sectors)
       if (s != chain.a && s != chain.b &&
-          (plan.shapes.at(s).type != kind::plane ||
-           norm(cross(plan.shapes.at(s).axis, normalized(edge))) > 1e-6))
+          (!plan.shapes.at(s).flat() ||
+           norm(cross(plan.shapes.at(s).shape.axis, normalized(edge))) > 1e-6))
         return std::nullopt;
-  const double bend = std::atan2(norm(cross(a.axis, b.axis)), dot(a.axis, b.axis));
+  const double bend =
+    std::atan2(norm(cross(a.shape.axis, b.shape.axis)), dot(a.shape.axis, b.shape.axis));
   const double section =
     radius * radius * (std::tan(0.5 * bend) - 0.5 * segments * std::sin(bend / segments));
   return plan.side * section * norm(edge);

@@ -26,6 +26,12 @@ constexpr double few_roundness = 1e-6;
 /// radius.
 constexpr double widest_edge = 1.1;
 
+constexpr double degree = std::numbers::pi / 180;
+/// Gaps between corners around an axis, where some of the way around is not of the wall, and where
+/// all of it is.
+constexpr double widest_gap = 75 * degree;
+constexpr double widest_closed_gap = 55 * degree;
+
 /// What is this near to its walls, as a share of their radius, is on them.
 constexpr double on_its_wall = 1e-13;
 constexpr double rounding = 2e-15;
@@ -140,6 +146,17 @@ std::optional<exact_wall> torus_of(const facet_corners& cloud) {
   return result;
 }
 
+/// The side on which most of the triangles have the material.
+void turn_outward(const facet_corners& cloud, exact_wall& wall) {
+  double outward = 0;
+  for (const auto& t : cloud.triangles) {
+    const std::array p{cloud.points[t[0]], cloud.points[t[1]], cloud.points[t[2]]};
+    outward += dot(cross(p[1] - p[0], p[2] - p[0]), wall.normal((p[0] + p[1] + p[2]) / 3));
+  }
+  if (outward < 0)
+    wall.shape.side = -wall.shape.side;
+}
+
 /// From the middle of a torus' tube to p.
 vec3 from_tube(const wall_shape& ring, vec3 p) {
   const vec3 d = p - ring.point;
@@ -192,14 +209,15 @@ std::vector<wall_demand> without_smooth(const std::vector<wall_demand>& all, vec
 
 double exact_wall::distance(vec3 p) const {
   if (tube_radius > 0)
-    return norm(from_tube(shape, p)) - tube_radius;
-  return sphere_radius > 0 ? norm(p - shape.point) - sphere_radius : shape.distance(p);
+    return shape.side * (norm(from_tube(shape, p)) - tube_radius);
+  return sphere_radius > 0 ? shape.side * (norm(p - shape.point) - sphere_radius)
+                           : shape.distance(p);
 }
 
 vec3 exact_wall::normal(vec3 p) const {
   if (tube_radius > 0)
-    return normalized(from_tube(shape, p));
-  return sphere_radius > 0 ? normalized(p - shape.point) : shape.normal(p);
+    return shape.side * normalized(from_tube(shape, p));
+  return sphere_radius > 0 ? shape.side * normalized(p - shape.point) : shape.normal(p);
 }
 
 double exact_wall::radius_at(vec3 p) const {
@@ -217,8 +235,19 @@ std::optional<exact_wall> fit_exact(const facet_corners& wall) {
       bring_to_most(wall.points, *shape);
     return exact_wall{*shape};
   }
-  auto sphere = sphere_of(wall);
-  return sphere ? sphere : torus_of(wall);
+  auto round = sphere_of(wall);
+  if (!round)
+    round = torus_of(wall);
+  if (round)
+    turn_outward(wall, *round);
+  return round;
+}
+
+bool has_round_corners(const exact_wall& wall, std::span<const vec3> points) {
+  if (wall.sphere_radius > 0)
+    return true;
+  const auto [first, second] = gaps_around(wall.shape, points);
+  return first < widest_gap ? first <= widest_closed_gap : second <= widest_gap;
 }
 
 std::array<double, 2> gaps_around(const wall_shape& shape, std::span<const vec3> points) {

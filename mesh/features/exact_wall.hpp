@@ -11,17 +11,20 @@ namespace tedit {
 
 /// The exact surface behind a wall: a plane, a cylinder, a cone, a sphere or a torus.
 struct exact_wall {
-  wall_shape shape;          ///< Of a sphere the centre as point; of a torus axis and radius, too.
+  /// Of a sphere centre (as point) and side, of a torus axis and radius, too.
+  wall_shape shape;
   double sphere_radius = 0;  ///< m; 0: no sphere.
   double tube_radius = 0;    ///< m; 0: no torus.
 
   [[nodiscard]] bool flat() const {
     return sphere_radius == 0 && tube_radius == 0 && shape.type == wall_shape::kind::plane;
   }
-  /// Signed, m: of a sphere or a torus positive outside.
+  /// Signed, m: positive off the material.
   [[nodiscard]] double distance(vec3 p) const;
-  /// Unit: the gradient of `distance`.
+  /// Unit, outward: the gradient of `distance`.
   [[nodiscard]] vec3 normal(vec3 p) const;
+  /// The nearest point of the wall.
+  [[nodiscard]] vec3 project(vec3 p) const { return p - distance(p) * normal(p); }
   /// m: of the wall's circle at p, the narrower one of a torus; that of a plane is infinite.
   [[nodiscard]] double radius_at(vec3 p) const;
 };
@@ -30,9 +33,12 @@ struct exact_wall {
 /// of some triangle. Cost: O(triangles).
 [[nodiscard]] std::optional<exact_wall> fit_exact(const facet_corners& wall);
 
+/// Are the corners of a part's wall as many as those of a round one? Those of a hexagon lie on a
+/// cylinder, too. Cost: O(points log points).
+[[nodiscard]] bool has_round_corners(const exact_wall& wall, std::span<const vec3> points);
+
 /// How wide the gaps between corners around a cylinder's or cone's axis are, rad: the two widest,
-/// the wider one first. The corners of a hexagon lie on a cylinder, too: how many there must be is
-/// for whoever asks. Cost: O(points log points).
+/// the wider one first. Cost: O(points log points).
 [[nodiscard]] std::array<double, 2> gaps_around(const wall_shape& shape,
                                                 std::span<const vec3> points);
 

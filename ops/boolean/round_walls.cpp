@@ -11,13 +11,9 @@ namespace tedit::ops {
 
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
-/// Gaps between corners around the axis: the corners of a hexagon lie on a cylinder, too.
-constexpr double widest_gap = 75 * degree;
-constexpr double widest_closed_gap = 55 * degree;
 /// A tool has at least 16 edges a turn where it is meant to be round, and its corners are on the
 /// wall to rounding, as a share of the radius: those of a file are not.
-constexpr double widest_tool_gap = 25 * degree;
+constexpr double widest_tool_gap = 25 * std::numbers::pi / 180;
 constexpr double exact_corner = 1e-10;
 /// Of more triangles a part is tried first: a free form is dear to fit.
 constexpr std::size_t many_triangles_of_wall = 2000;
@@ -51,16 +47,13 @@ std::optional<exact_wall> exact_of(const facet_corners& corners) {
 }
 
 bool is_meant_round(const exact_wall& wall, const facet_corners& corners, bool is_part) {
-  if (!is_part && std::ranges::any_of(corners.points, [&](vec3 p) {
-        return std::abs(wall.distance(p)) > exact_corner * wall.radius_at(p);
-      }))
-    return false;
-  if (wall.sphere_radius > 0)
-    return true;
-  const auto [first, second] = gaps_around(wall.shape, corners.points);
-  if (!is_part)
-    return second <= widest_tool_gap;
-  return first < widest_gap ? first <= widest_closed_gap : second <= widest_gap;
+  if (is_part)
+    return has_round_corners(wall, corners.points);
+  const bool exact = std::ranges::all_of(corners.points, [&](vec3 p) {
+    return std::abs(wall.distance(p)) <= exact_corner * wall.radius_at(p);
+  });
+  return exact &&
+         (wall.sphere_radius > 0 || gaps_around(wall.shape, corners.points)[1] <= widest_tool_gap);
 }
 
 }  // namespace

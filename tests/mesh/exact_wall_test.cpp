@@ -60,11 +60,12 @@ TEST(Torus, DistanceAndNormalAreThoseOfTheTube) {
   ASSERT_TRUE(wall);
   EXPECT_FALSE(wall->flat());
   EXPECT_NEAR(wall->radius_at(centre), 0.002, 1e-12);
-  // The middle of the tube is its radius inside, the axis eight millimetres off the tube's skin.
-  EXPECT_NEAR(wall->distance(centre + 0.010 * side), -0.002, 1e-12);
-  EXPECT_NEAR(wall->distance(centre + 0.0005 * side), 0.0075, 1e-12);
-  EXPECT_NEAR(wall->distance(centre + 0.010 * side + 0.003 * axis), 0.001, 1e-12);
-  EXPECT_NEAR(dot(wall->normal(centre + 0.010 * side + 0.003 * axis), axis), 1, 1e-12);
+  // Its triangles look into the tube, whose middle is its radius off the material; the axis is
+  // eight millimetres beyond the tube's skin.
+  EXPECT_NEAR(wall->distance(centre + 0.010 * side), 0.002, 1e-12);
+  EXPECT_NEAR(wall->distance(centre + 0.0005 * side), -0.0075, 1e-12);
+  EXPECT_NEAR(wall->distance(centre + 0.010 * side + 0.003 * axis), -0.001, 1e-12);
+  EXPECT_NEAR(dot(wall->normal(centre + 0.010 * side + 0.003 * axis), axis), -1, 1e-12);
 }
 
 TEST(Torus, AChordsMiddleIsPutOntoTheTube) {

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/support/rounding.hpp"
+#include "tests/support/tube.hpp"
 
 namespace tedit::test {
 namespace {
@@ -128,6 +129,83 @@ TEST_F(Open, SurfacesThatDoNotMeetAreRefused) {
   EXPECT_THAT(result.error().message, HasSubstr("between surfaces 1, 2 there is no convex edge"));
 }
 
+TEST_F(Open, TheRimOfAConeIsRounded) {
+  // Radii of 2 m below and 2.3 m above: the wall leans outward.
+  tube leaning;
+  leaning.sides = 32;
+  leaning.slope = 0.3;
+  const auto base = tube_mesh(leaning);
+  constexpr double r = 0.1;
+
+  const auto result = round(base, {2, 4}, -1, r);
+
+  const auto after = finish(base, result);
+  ASSERT_TRUE(after);
+  const auto made = fresh(*base, *after);
+  ASSERT_EQ(made.size(), 1u);
+  // The ball's centre is r below the top and as far from the cone.
+  const double rho = 2 + 0.3 * (1 - r) - r * std::hypot(1, 0.3);
+  for (const auto p : points_of(*after, made.front()))
+    EXPECT_NEAR(std::hypot(std::hypot(p.x, p.y) - rho, p.z - 1 + r), r, 1e-9);
+  EXPECT_TRUE(check_version(*after).ok());
+}
+
+TEST_F(Open, TheEdgeOfADomeIsRounded) {
+  constexpr double R = 10;
+  const auto base = box_mesh({6, 6, 4}, {4, 4, 4}, [](vec3 p) -> vec3 {
+    return {p.x, p.y, p.z / 4 * std::sqrt(R * R - p.x * p.x - p.y * p.y)};
+  });
+  constexpr double r = 0.4;
+
+  const auto result = round(base, {2, 6}, -1, r);
+
+  const auto after = finish(base, result);
+  ASSERT_TRUE(after);
+  const auto made = fresh(*base, *after);
+  ASSERT_EQ(made.size(), 1u);
+  // The ball rolls in the plane x = 4 - r, its centre R - r off the origin.
+  const double rho = std::sqrt((R - r) * (R - r) - (4 - r) * (4 - r));
+  for (const auto p : points_of(*after, made.front()))
+    EXPECT_NEAR(std::hypot(p.x - 4 + r, std::hypot(p.y, p.z) - rho), r, 1e-9);
+}
+
+TEST_F(Open, ABallGoesFromAFlatWallToARoundOneWhereItTouchesTheLineBetween) {
+  // Side 2 is half of a cylinder, tangent to the sides 3 and 4; the top leans over all of them, so
+  // that its edges do not cross the lines between them at right angles.
+  const auto top = [](double x, double y) { return 1 + 0.2 * x + 0.1 * y; };
+  const auto base = box_mesh({8, 12, 6}, {1, 2, 1}, [&](vec3 p) -> vec3 {
+    const double turn = pi / 2 * (p.y - 1);
+    const double x = p.x * (2 + std::cos(turn));
+    const double y = (1 - p.x) * (p.y - 1) + p.x * std::sin(turn);
+    return {x, y, p.z * top(x, y)};
+  });
+  constexpr double r = 0.2;
+
+  const auto result = round(base, {2, 6}, -1, r);
+
+  const auto after = finish(base, result);
+  ASSERT_TRUE(after);
+  EXPECT_EQ(result->surfaces_used, (std::vector<surface_id>{2, 3, 4, 6}));
+  // The ball's centre is r inside the walls, and r below the top.
+  std::vector<vec3> spine;
+  const double below = r * std::sqrt(1 + 0.2 * 0.2 + 0.1 * 0.1);
+  const auto add = [&](double x, double y) { spine.push_back({x, y, top(x, y) - below}); };
+  constexpr int fine = 10'000;
+  for (int i = 0; i <= fine; ++i) {
+    const double turn = pi * (static_cast<double>(i) / fine - 0.5);
+    add(2 + (1 - r) * std::cos(turn), (1 - r) * std::sin(turn));
+    for (const double side : {-1.0, 1.0})
+      add(2.5 * i / fine - 0.5, side * (1 - r));
+  }
+  for (const auto id : fresh(*base, *after))
+    for (const auto p : points_of(*after, id)) {
+      double least = 1;
+      for (const auto& c : spine)
+        least = std::min(least, norm(p - c));
+      EXPECT_NEAR(least, r, 1e-6) << p.x << ", " << p.y << ", " << p.z;
+    }
+}
+
 TEST_F(Open, AWallThatIsNeitherFlatNorRoundIsNamed) {
   const auto base = box_mesh({6, 6, 6}, {1, 1, 1}, [](vec3 p) {
     return vec3{p.x, p.y, p.z * (1 + 0.2 * std::sin(5 * p.x) * std::sin(5 * p.y))};
@@ -137,7 +215,8 @@ TEST_F(Open, AWallThatIsNeitherFlatNorRoundIsNamed) {
 
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().code, ec::invalid_argument);
-  EXPECT_THAT(result.error().message, HasSubstr("surface 6 is neither flat nor a round cylinder"));
+  EXPECT_THAT(result.error().message,
+              HasSubstr("surface 6 is neither a plane, a cylinder, a cone, a sphere nor a torus"));
 }
 
 TEST_F(Open, ARadiusThatTakesAWholeEdgeIsRefused) {

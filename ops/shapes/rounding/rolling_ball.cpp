@@ -107,7 +107,7 @@ std::optional<double> rolling_ball::distance(vec3 p, vec3 start) const {
   return norm(p - *c) - radius_;
 }
 
-std::optional<vec3> ball_in_corner(const wall_shape& a, const wall_shape& b, const wall_shape& c,
+std::optional<vec3> ball_in_corner(const exact_wall& a, const exact_wall& b, const exact_wall& c,
                                    double radius, double side, vec3 p) {
   const auto system = [&](vec3 x) {
     return std::array<equation, 3>{{{a.distance(x) - side * radius, a.normal(x)},

@@ -4,7 +4,7 @@
 #include <functional>
 #include <optional>
 
-#include "mesh/features/wall_shape.hpp"
+#include "mesh/features/exact_wall.hpp"
 
 namespace tedit::ops {
 
@@ -12,11 +12,11 @@ namespace tedit::ops {
 /// which rounds an inner corner) or inside the material (-1, an outer edge).
 class rolling_ball {
 public:
-  rolling_ball(wall_shape a, wall_shape b, double radius, double side)
+  rolling_ball(exact_wall a, exact_wall b, double radius, double side)
       : a_(a), b_(b), radius_(radius), side_(side) {}
 
-  [[nodiscard]] const wall_shape& a() const { return a_; }
-  [[nodiscard]] const wall_shape& b() const { return b_; }
+  [[nodiscard]] const exact_wall& a() const { return a_; }
+  [[nodiscard]] const exact_wall& b() const { return b_; }
   [[nodiscard]] double radius() const { return radius_; }
   [[nodiscard]] double side() const { return side_; }
 
@@ -48,14 +48,14 @@ private:
   [[nodiscard]] std::optional<vec3> centre_at(const std::function<double(vec3)>& value, vec3 start,
                                               double reach) const;
 
-  wall_shape a_, b_;
+  exact_wall a_, b_;
   double radius_;
   double side_;
 };
 
 /// The centre of the ball that touches three walls from `side`; nothing where there is none near p.
-[[nodiscard]] std::optional<vec3> ball_in_corner(const wall_shape& a, const wall_shape& b,
-                                                 const wall_shape& c, double radius, double side,
+[[nodiscard]] std::optional<vec3> ball_in_corner(const exact_wall& a, const exact_wall& b,
+                                                 const exact_wall& c, double radius, double side,
                                                  vec3 p);
 
 }  // namespace tedit::ops

@@ -28,6 +28,14 @@ struct seam_edge {
 
 using surface_pair = std::pair<surface_id, surface_id>;
 
+/// A bore of six facets is round here, if its corners say so: its edges are what is picked.
+std::optional<exact_wall> fitted_to(const facet_corners& corners) {
+  if (const auto coarse = fit_wall(corners.points, corners.triangles))
+    return exact_wall{*coarse};
+  auto exact = fit_exact(corners);
+  return exact && has_round_corners(*exact, corners.points) ? exact : std::nullopt;
+}
+
 class chain_finder {
 public:
   chain_finder(const mesh_version& mesh, const std::vector<surface_id>& surfaces, double side)
@@ -76,14 +84,13 @@ private:
                         "corners");
   }
 
-  /// The shape of a surface, fitted when it is first asked for; null when it is neither flat nor
-  /// round.
-  const wall_shape* shape_of(surface_id id) {
+  /// The shape of a surface, fitted when it is first asked for; null for free form.
+  const exact_wall* shape_of(surface_id id) {
     if (const auto found = plan_.shapes.find(id); found != plan_.shapes.end())
       return &found->second;
     if (shapeless_.contains(id))
       return nullptr;
-    const auto fitted = fit_wall(mesh_, facets_[id]);
+    const auto fitted = fitted_to(corners_of(mesh_, facets_[id]));
     if (!fitted) {
       shapeless_.insert(id);
       return nullptr;
@@ -93,8 +100,9 @@ private:
 
   [[nodiscard]] static tl::unexpected<error> no_shape(surface_id id) {
     return fail(ec::invalid_argument,
-                "surface " + std::to_string(id) + " is neither flat nor a round cylinder",
-                "Select two walls that are; other shapes cannot be rounded by this version");
+                "surface " + std::to_string(id) +
+                  " is neither a plane, a cylinder, a cone, a sphere nor a torus",
+                "Select two walls that are; free form cannot be rounded by this version");
   }
 
   /// The turn of the outward normal over the edge, rad: above 0 at outer edges.

@@ -56,7 +56,7 @@ struct round_corner {
 /// What is to be rounded, and how it hangs together.
 struct round_plan {
   double side = 1;  ///< +1: inner corners, -1: outer edges; see `rolling_ball`.
-  std::map<surface_id, wall_shape> shapes;
+  std::map<surface_id, exact_wall> shapes;
   std::vector<round_chain> chains;
   std::vector<round_corner> corners;
   std::vector<surface_id> used;   ///< The selection as completed, ascending.
@@ -67,7 +67,7 @@ struct round_plan {
 /// more than 5 degrees, by the exact shapes): between the selected surfaces, or all around a single
 /// one. A chain that goes on smoothly at its end (a pocket's wall and its round corner) is
 /// followed. Errors: `empty_selection` when there is no such edge, `invalid_argument` naming the
-/// surface that is neither flat nor round, or the corner that cannot be rounded. Cost: O(facet
+/// surface of free form, or the corner that cannot be rounded. Cost: O(facet
 /// slots).
 [[nodiscard]] expected<round_plan> find_chains(const mesh_version& mesh,
                                                const std::vector<surface_id>& surfaces,

@@ -10,6 +10,11 @@ namespace tedit::ops {
 
 namespace {
 
+/// A rounding's end on the exact walls may be so far off the mesh's edge between them, whose edges
+/// are chords where a wall is round, as a share of what it takes of that: what the walls have
+/// around is triangulated anew.
+constexpr double most_off = 0.3;
+
 class edge_cutter {
 public:
   edge_cutter(const mesh_version& mesh, const round_plan& plan, const round_surface& made)
@@ -115,7 +120,7 @@ private:
                                           std::to_string(s1) + " and " + std::to_string(s2) +
                                           ", which is only " + length_name(whole) + " long, at " +
                                           place_text(from));
-    if (off > 0.05 * length)
+    if (off > most_off * length)
       return fail(ec::invalid_argument,
                   "the rounding of " + chain.name(mesh_) + " leaves the edge between surfaces " +
                     std::to_string(s1) + " and " + std::to_string(s2) + " by " + length_name(off) +

@@ -64,7 +64,7 @@ private:
     });
   }
 
-  void add_piece(facet_id seed, const wall_shape& shape) {
+  void add_piece(facet_id seed, const exact_wall& shape) {
     wall_piece part;
     part.surface = mesh_.facet(seed).surface;
     part.shape = shape;
@@ -135,7 +135,7 @@ private:
       // A flat wall stays as it is under new triangles; a coarse round one would not.
       const auto shape = fit_wall(mesh_, facets_of(mesh_, std::vector{surface}));
       if (shape && shape->type == wall_shape::kind::plane)
-        add_piece(f, *shape);
+        add_piece(f, exact_wall{*shape});
     }
   }
 

@@ -30,7 +30,7 @@ private:
 /// Facets of one wall that hang together inside the cavity and are triangulated anew.
 struct wall_piece {
   surface_id surface = 0;
-  wall_shape shape;
+  exact_wall shape;
   std::vector<facet_id> facets;
   std::vector<std::vector<std::uint32_t>> loops;  ///< Its border after the edit, as shell points.
 };

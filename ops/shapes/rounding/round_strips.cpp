@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "ops/shapes/rounding/round_strips.hpp"
-#include "mesh/place_text.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "mesh/place_text.hpp"
+#include "ops/shapes/rounding/smooth_joint.hpp"
 
 namespace tedit::ops {
 
@@ -67,15 +69,14 @@ private:
     return mesh_.position(last ? path.back() : path.front());
   }
 
-  /// A ball that is larger than the cylinder it runs in.
+  /// A ball that is larger than the round wall it runs in.
   [[nodiscard]] expected<void> check_walls(std::size_t c) const {
     for (const auto id : {plan_.chains[c].a, plan_.chains[c].b}) {
-      const auto& shape = plan_.shapes.at(id);
-      if (shape.type == wall_shape::kind::cylinder && shape.side * plan_.side < 0 &&
-          settings_.radius >= 0.99 * shape.radius)
+      const auto& wall = plan_.shapes.at(id);
+      const double own = wall.radius_at(vertex(c, false));
+      if (wall.shape.side * plan_.side < 0 && settings_.radius >= 0.99 * own)
         return too_large(
-          c,
-          "surface " + std::to_string(id) + " itself has a radius of " + length_name(shape.radius),
+          c, "surface " + std::to_string(id) + " itself has a radius of " + length_name(own),
           vertex(c, false));
     }
     return {};
@@ -202,9 +203,20 @@ private:
     return ball_in_corner(a, b, c, settings_.radius, plan_.side, p);
   }
 
-  /// Two roundings of the same angle meet in the plane that halves the angle between their edges.
+  [[nodiscard]] joint_end smooth_end(const round_corner& corner, int end) const {
+    const auto c = corner.ends[end].chain;
+    return {balls_[c], plan_.chains[c].a == shared_wall(corner)};
+  }
+
+  /// Two roundings of the same angle meet where the ball goes from one of their walls to the other,
+  /// else in the plane that halves the angle between their edges.
   expected<void> join(const round_corner& corner) {
     const vec3 p = mesh_.position(corner.at);
+    if (corner.type == round_corner::kind::smooth)
+      if (const auto at = centres_at_joint({smooth_end(corner, 0), smooth_end(corner, 1)}, p)) {
+        const auto arc = static_cast<std::size_t>(made_.segments) + 1;
+        return share_row(corner, {std::vector(arc, (*at)[0]), std::vector(arc, (*at)[1])});
+      }
     vec3 across;
     for (int i = 0; i < 2; ++i) {
       const auto& end = corner.ends[i];
