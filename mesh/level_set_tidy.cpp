@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "mesh/level_set_freedom.hpp"
+#include "mesh/optimize/star_quality.hpp"
 #include "mesh/predicates.hpp"
 #include "mesh/quality.hpp"
 
@@ -124,7 +125,7 @@ private:
   [[nodiscard]] double worst_of(const std::vector<tet_id>& star) const {
     double worst = 1;
     for (const auto t : star)
-      worst = std::min(worst, radius_ratio(mesh_.corners(t)));
+      worst = std::min(worst, quick_ratio(mesh_.corners(t)));
     return worst;
   }
 
@@ -139,7 +140,7 @@ private:
       double worst = 1;
       for (std::size_t i = 0; i < corners.size(); ++i) {
         corners[i][middle[i]] = at;
-        worst = std::min(worst, radius_ratio(corners[i]));
+        worst = std::min(worst, quick_ratio(corners[i]));
         if (worst > beaten)
           continue;
         std::swap(corners[i], corners[0]);
@@ -200,7 +201,7 @@ private:
       tet moved = mesh_.tet_at(t);
       std::ranges::replace(moved.v, from, to);
       const auto p = places(moved);
-      worst = std::min(worst, radius_ratio(p));
+      worst = std::min(worst, quick_ratio(p));
       if (!(worst > beaten) || orient3d(p[0], p[1], p[2], p[3]) <= 0)
         return {};
       volume += signed_volume(p);

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "mesh/box.hpp"
+#include "mesh/features/wall_shape.hpp"
 #include "mesh/level_set_freedom.hpp"
 #include "mesh/predicates.hpp"
 #include "mesh/quality.hpp"
@@ -53,6 +54,54 @@ std::optional<vec3> step_within(vec3 normal, double distance, const std::vector<
   return distance / share * along;
 }
 
+/// What the neighbours of a patch are, where they are not flat.
+class curved_neighbours {
+public:
+  explicit curved_neighbours(const mesh_builder& mesh) : mesh_(mesh) {}
+
+  /// Would a vertex that stays in their facets' planes leave one of them? A chord of a round wall
+  /// is no way along it; of free form nobody knows.
+  bool left_by(const surface_patch& patch, vertex_id v, vec3 step) {
+    for (const auto near : facets_at(mesh_, v, mesh_.star(v))) {
+      const auto id = mesh_.facet(near).surface;
+      if (id == patch.surface || std::abs(dot(facet_normal(mesh_, near), patch.normal)) < upright)
+        continue;
+      const auto& wall = wall_of(id);
+      const vec3 p = mesh_.position(v);
+      if (!wall.flat && (!wall.shape || std::abs(wall.shape->distance(p + step) -
+                                                 wall.shape->distance(p)) > on_wall * norm(step)))
+        return true;
+    }
+    return false;
+  }
+
+private:
+  /// A facet that stands so nearly along the way is followed by straight lines of its wall.
+  static constexpr double upright = 1e-6;
+  static constexpr double on_wall = 1e-6;
+
+  struct wall {
+    bool flat = false;
+    std::optional<wall_shape> shape;
+  };
+
+  const wall& wall_of(surface_id id) {
+    const auto [row, fresh] = walls_.try_emplace(id);
+    if (!fresh)
+      return row->second;
+    const auto patch = find_patch(mesh_, id);
+    row->second.flat = patch && patch->flat();
+    if (!row->second.flat)
+      row->second.shape = fit_wall(*mesh_.base(), facets_of(*mesh_.base(), std::array{id}), round);
+    return row->second;
+  }
+
+  static constexpr fit_limits round{3e-3, true, true};
+
+  const mesh_builder& mesh_;
+  std::map<surface_id, wall> walls_;
+};
+
 /// The planes that a vertex must not leave: those of the neighbours' facets and of faces between
 /// regions.
 std::vector<vec3> planes_at(const mesh_builder& mesh, const surface_patch& patch, vertex_id v) {
@@ -78,12 +127,14 @@ std::vector<vec3> planes_at(const mesh_builder& mesh, const surface_patch& patch
 std::optional<std::map<vertex_id, vec3>> steps_of(const mesh_builder& mesh,
                                                   const surface_patch& patch, double distance) {
   std::map<vertex_id, vec3> steps;
+  curved_neighbours curved(mesh);
   for (const auto f : patch.facets)
     for (const auto v : mesh.facet(f).v) {
       if (steps.contains(v))
         continue;
       const auto step = step_within(patch.normal, distance, planes_at(mesh, patch, v));
-      if (!step || (distance > 0 && norm(*step - distance * patch.normal) > 1e-9 * distance))
+      if (!step || (distance > 0 && norm(*step - distance * patch.normal) > 1e-9 * distance) ||
+          curved.left_by(patch, v, *step))
         return std::nullopt;
       steps.emplace(v, *step);
     }

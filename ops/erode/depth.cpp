@@ -118,7 +118,7 @@ void measure(const mesh_builder& mesh, const std::vector<surface_patch>& done, d
 }  // namespace
 
 expected<void> erode_depth(mesh_builder& mesh, const std::vector<surface_id>& surfaces,
-                           double depth, context& ctx, erosion_sum& sum) {
+                           double depth, lowering how, context& ctx, erosion_sum& sum) {
   std::vector<surface_patch> done;
   bool cut = false;
   for (const auto surface : surfaces) {
@@ -128,8 +128,9 @@ expected<void> erode_depth(mesh_builder& mesh, const std::vector<surface_id>& su
     auto patch = find_patch(mesh, surface);
     if (!patch)
       return fail(patch.error());
-    // A small depth needs no cut: the surface's own vertices go down.
     if (!shift_patch(mesh, *patch, -depth, least_quality)) {
+      if (how == lowering::by_vertices)
+        return fail(ec::mesher_failed, "the surface finds no way by its own vertices");
       cut = true;
       if (auto ok = cut_off(mesh, *patch, depth, ctx, sum); !ok)
         return fail(ok.error());

@@ -86,18 +86,28 @@ expected<edit_result> eroded_by(const erosion& way, const version_ptr& mesh,
   return result;
 }
 
-/// Flat surfaces are cut free or lowered one by one, others move by their own vertices; where that
-/// does not work flat ones, too, with the fillets around them; else what lies below is cut off.
+/// Flat surfaces at round ones go down by their vertices, with the fillets around them; else they
+/// are cut free or lowered one by one. Others move by their own vertices, and flat ones that cannot
+/// be cut; else what lies below is cut off.
 expected<edit_result> lowered(const version_ptr& mesh, const std::vector<surface_id>& surfaces,
                               bool flat, double depth, piece_policy policy, context& ctx) {
   wall_ways all{surfaces, -depth, flat, {}};
+  const auto by_vertices = [&](shift_patience patience) {
+    return move_by_vertices(mesh, surfaces, -depth, patience, ctx.run);
+  };
+  const auto flat_by = [&](lowering how) {
+    return eroded_by(
+      [&, how](mesh_builder& to, erosion_sum& sum) {
+        return erode_depth(to, surfaces, depth, how, ctx, sum);
+      },
+      mesh, surfaces, policy);
+  };
+  if (flat && move_better_by_vertices(mesh, surfaces, -depth))
+    all.round = {[&] { return flat_by(lowering::by_vertices); },
+                 [&] { return by_vertices(shift_patience::little); }};
   if (flat)
-    all.ways.emplace_back([&] {
-      return eroded_by([&](mesh_builder& to,
-                           erosion_sum& sum) { return erode_depth(to, surfaces, depth, ctx, sum); },
-                       mesh, surfaces, policy);
-    });
-  all.ways.emplace_back([&] { return move_by_vertices(mesh, surfaces, -depth, ctx.run); });
+    all.ways.emplace_back([&] { return flat_by(lowering::with_cuts); });
+  all.ways.emplace_back([&] { return by_vertices(shift_patience::all); });
   all.ways.emplace_back([&] { return move_by_tool(mesh, surfaces, -depth, ctx); });
   return first_that_passes(mesh, all, ctx.run);
 }

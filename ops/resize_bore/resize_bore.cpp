@@ -150,8 +150,9 @@ expected<edit_result> resized(const version_ptr& mesh, const round_wall& wall, d
       // A pin grows outward, a bore into the material.
       const double distance = wall.shape.side * sign * change / 2;
       wall_ways ways{wall.surfaces, distance, false, {}};
-      ways.ways.emplace_back(
-        [&] { return move_by_vertices(mesh, wall.surfaces, distance, trial.run); });
+      ways.ways.emplace_back([&] {
+        return move_by_vertices(mesh, wall.surfaces, distance, shift_patience::all, trial.run);
+      });
       if (wall.shape.side < 0 && sign > 0)
         ways.ways.emplace_back([&] { return drilled(mesh, wall, now + change, trial); });
       ways.ways.emplace_back([&] { return move_by_tool(mesh, wall.surfaces, distance, trial); });

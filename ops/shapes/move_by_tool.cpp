@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "base/number_range.hpp"
 #include "base/text.hpp"
@@ -28,6 +29,13 @@ std::vector<std::array<vec3, 3>> triangles_of(const mesh_version& mesh,
     result.push_back({mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2])});
   }
   return result;
+}
+
+std::set<region_id> regions_of(const mesh_version& mesh, const std::vector<surface_id>& surfaces) {
+  std::set<region_id> regions;
+  for (const auto f : facets_of(mesh, surfaces))
+    regions.insert(mesh.region_of(mesh.facet(f).tet));
+  return regions;
 }
 
 /// How far walls are from where they should be, m.
@@ -79,6 +87,10 @@ expected<edit_result> move_by_tool(const version_ptr& mesh, const std::vector<su
     return fail(walls.error());
   if (auto ok = check_room(*walls, distance); !ok)
     return fail(ok.error());
+  if (distance > 0 && regions_of(*mesh, surfaces).size() > 1)
+    return fail(ec::invalid_argument,
+                "what is put on surface " + list_of(surfaces) + " would be of one region alone",
+                "Select the walls of one region at a time");
   const auto made = make_wall_tool(*mesh, *walls, distance);
   if (!made)
     return fail(made.error());
@@ -114,6 +126,9 @@ expected<edit_result> first_that_passes(const version_ptr& mesh, const wall_ways
                                         const execution& run) {
   std::vector<edit_result> poor;
   std::optional<error> told;
+  for (const auto& way : all.round)
+    if (auto made = way(); made && passes_if_doubtful(mesh, *made, run))
+      return made;
   for (const auto& way : all.ways) {
     auto made = way();
     const auto sound = made ? passes_if_doubtful(mesh, *made, run) : fail(made.error());

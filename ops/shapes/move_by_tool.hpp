@@ -25,6 +25,9 @@ struct wall_ways {
   double distance = 0;  ///< m, outward; negative: into the material.
   bool flat = false;    ///< The first way cuts by planes: where it tells a limit, it is the part's.
   std::vector<wall_way> ways;
+  /// Before all others, which know nothing of what is round: where fillets go along with flat
+  /// walls, or round neighbours are trimmed by them. What these cannot do is for the others.
+  std::vector<wall_way> round = {};
 };
 
 /// The first way whose result holds what an edit promises; else the first result that holds it with

@@ -67,14 +67,23 @@ private:
   std::map<surface_id, surface_id> sides_;
 };
 
-expected<surface_patch> raise(mesh_builder& mesh, surface_id surface, double height, context& ctx) {
+/// How a flat surface rises: a small height needs no slab.
+enum class rising { by_vertices, as_slab };
+
+expected<surface_patch> raise(mesh_builder& mesh, surface_id surface, double height, rising how,
+                              context& ctx) {
   auto patch = find_patch(mesh, surface);
   if (!patch)
     return fail(patch.error());
-  // A small height needs no slab: the surface's own vertices go up.
   constexpr double least_quality = 0.1;
   if (shift_patch(mesh, *patch, height, least_quality))
     return patch;
+  if (how == rising::by_vertices)
+    return fail(ec::mesher_failed, "the surface finds no way by its own vertices");
+  const auto region = [&](facet_id f) { return mesh.region_of(mesh.facet(f).tet); };
+  if (std::ranges::any_of(patch->facets,
+                          [&](facet_id f) { return region(f) != region(patch->facets.front()); }))
+    return fail(ec::mesher_failed, "a slab would be of one of the surface's regions alone");
   if (auto ok = split_rising_neighbours(mesh, *patch, height, ctx.run); !ok)
     return fail(ok.error());
   patch = find_patch(mesh, surface);
@@ -125,13 +134,13 @@ void measure(const mesh_builder& mesh, const std::vector<surface_patch>& before,
 
 /// Flat surfaces, one after the other.
 expected<void> raise_planes(mesh_builder& mesh, const std::vector<surface_id>& surfaces,
-                            double height, context& ctx, edit_result& result) {
+                            double height, rising how, context& ctx, edit_result& result) {
   std::vector<surface_patch> before;
   for (const auto surface : surfaces) {
     ctx.run.report(
       0.1 + 0.7 * static_cast<double>(before.size()) / static_cast<double>(surfaces.size()),
       "growing the slab");
-    auto raised = raise(mesh, surface, height, ctx);
+    auto raised = raise(mesh, surface, height, how, ctx);
     if (!raised)
       return fail(raised.error());
     before.push_back(std::move(*raised));
@@ -142,12 +151,11 @@ expected<void> raise_planes(mesh_builder& mesh, const std::vector<surface_id>& s
   return {};
 }
 
-expected<edit_result> raised_as_slabs(const version_ptr& mesh,
-                                      const std::vector<surface_id>& surfaces, double height,
-                                      context& ctx) {
+expected<edit_result> raised_flat(const version_ptr& mesh, const std::vector<surface_id>& surfaces,
+                                  double height, rising how, context& ctx) {
   mesh_builder builder(mesh);
   edit_result result;
-  if (auto ok = raise_planes(builder, surfaces, height, ctx, result); !ok)
+  if (auto ok = raise_planes(builder, surfaces, height, how, ctx, result); !ok)
     return fail(ok.error());
   result.candidate = builder.freeze();
   result.touched = builder.touched();
@@ -158,15 +166,22 @@ expected<edit_result> raised_as_slabs(const version_ptr& mesh,
   return result;
 }
 
-/// Flat surfaces get a slab, others move by their own vertices; where that does not work, as with a
-/// height far below the edge length, flat ones, too, with the fillets around them; else what lies
-/// above is added.
+/// Flat surfaces at round ones move by their vertices, with the fillets around them; else they get
+/// a slab. Others move by their own vertices, and flat ones whose height is far below the edge
+/// length; else what lies above is added.
 expected<edit_result> raised(const version_ptr& mesh, const std::vector<surface_id>& surfaces,
                              bool flat, double height, context& ctx) {
   wall_ways all{surfaces, height, flat, {}};
+  const auto by_vertices = [&](shift_patience patience) {
+    return move_by_vertices(mesh, surfaces, height, patience, ctx.run);
+  };
+  if (flat && move_better_by_vertices(mesh, surfaces, height))
+    all.round = {[&] { return raised_flat(mesh, surfaces, height, rising::by_vertices, ctx); },
+                 [&] { return by_vertices(shift_patience::little); }};
   if (flat)
-    all.ways.emplace_back([&] { return raised_as_slabs(mesh, surfaces, height, ctx); });
-  all.ways.emplace_back([&] { return move_by_vertices(mesh, surfaces, height, ctx.run); });
+    all.ways.emplace_back(
+      [&] { return raised_flat(mesh, surfaces, height, rising::as_slab, ctx); });
+  all.ways.emplace_back([&] { return by_vertices(shift_patience::all); });
   all.ways.emplace_back([&] { return move_by_tool(mesh, surfaces, height, ctx); });
   return first_that_passes(mesh, all, ctx.run);
 }

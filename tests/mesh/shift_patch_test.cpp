@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "mesh/shift_patch.hpp"
 
+#include <cmath>
+#include <numbers>
+
 #include <gtest/gtest.h>
 
 #include "mesh/checks.hpp"
@@ -72,6 +75,19 @@ TEST(ShiftPatch, TooFarOrFlushChangesNothing) {
   }
   const auto split = builder.freeze();
   EXPECT_EQ(shifted(split, half, -0.1, false)->id(), split->id());
+}
+
+TEST(ShiftPatch, ARoundNeighbourIsNotBent) {
+  // Side 2 is a quarter of a cylinder of radius 0.5 in two rows of facets; the top touches it.
+  const auto rounded = test::box_mesh({2, 1, 2}, {2, 1, 0.5}, [](vec3 p) -> vec3 {
+    const double turn = std::numbers::pi * p.z;
+    return p.x < 2 ? p : vec3{1.5 + 0.5 * std::cos(turn), p.y, 0.5 * std::sin(turn)};
+  });
+  EXPECT_EQ(shifted(rounded, 6, -0.05, false)->id(), rounded->id());
+
+  // Its straight lines stand upright on the sides 3 and 4.
+  const auto narrower = shifted(rounded, 3, -0.25, true);
+  EXPECT_NEAR(total_volume(*narrower), 0.75 * total_volume(*rounded), 1e-14);
 }
 
 TEST(ShiftPatch, ItDoesNotGrowIntoWhatStandsOpposite) {

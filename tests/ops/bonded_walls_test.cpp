@@ -16,6 +16,7 @@
 #include "tests/support/edits.hpp"
 #include "tests/support/meshes.hpp"
 #include "tests/support/parts.hpp"
+#include "tests/support/two_regions.hpp"
 
 namespace tedit::ops {
 namespace {
@@ -203,6 +204,19 @@ TEST_F(BondedWalls, ErodingThePlateAroundLeavesAPedestal) {
   EXPECT_NEAR(volume_of(*cut, 1), 9 - 8 * 0.3, 1e-11);
   EXPECT_NEAR(volume_of(*cut, 2), 1, 1e-12);
   EXPECT_NEAR(bond_area(*cut), 1, 1e-12);
+}
+
+TEST_F(BondedWalls, WhatIsPutOnAWallOfBothRegionsIsOfEach) {
+  // Higher than its cells: a slab would be of one region.
+  const auto base = test::two_regions();
+  const auto more = by_operation(base, "thicken", 6, 0.3);
+  EXPECT_NEAR(volume_of(*more, 4), 0.5 * 0.5 * 0.8, 1e-12);
+  EXPECT_NEAR(volume_of(*more, 90), 0.5 * 0.5 * 0.8, 1e-12);
+  EXPECT_NEAR(bond_area(*more), 0.5 * 0.8, 1e-12);
+
+  const auto tool = move_by_tool(base, {6}, 0.3, ctx_);
+  ASSERT_FALSE(tool);
+  EXPECT_EQ(tool.error().message, "what is put on surface 6 would be of one region alone");
 }
 
 TEST_F(BondedWalls, ThickeningThePlateBondsItToTheCubesSides) {

@@ -28,7 +28,9 @@ constexpr double mend_below = 0.3;
 /// in the way of a wall that trims it.
 constexpr double neighbour_tolerance = 0.1;
 /// Steps are halved down to this share of the whole way.
-constexpr double least_step = 1.0 / 128;
+constexpr double least_step(shift_patience patience) {
+  return patience == shift_patience::all ? 1.0 / 128 : 1.0 / 8;
+}
 /// Surfaces that meet at less than this sine run on flush with each other.
 constexpr double least_sine = 0.05;
 /// What such surfaces may be off each other's way, as a share of it.
@@ -60,8 +62,13 @@ struct condition {
 class shifter {
 public:
   shifter(mesh_builder& mesh, const wall_set& walls, const carried_set& carried, double distance,
-          const execution& run)
-      : mesh_(mesh), walls_(walls), carried_(carried), distance_(distance), run_(run) {
+          shift_patience patience, const execution& run)
+      : mesh_(mesh),
+        walls_(walls),
+        carried_(carried),
+        distance_(distance),
+        least_step_(least_step(patience)),
+        run_(run) {
     for (const auto& [id, wall] : walls)
       surfaces_.emplace(id, known_surface{wall.exact, {}});
   }
@@ -77,7 +84,7 @@ public:
       if (!places)
         return fail(places.error());
       if (!fits(*places)) {
-        if (0.5 * step < least_step)
+        if (0.5 * step < least_step_)
           return no_room();
         step *= 0.5;
         continue;
@@ -335,6 +342,7 @@ private:
   const wall_set& walls_;
   const carried_set& carried_;
   double distance_;
+  double least_step_;
   const execution& run_;
   double reached_ = 0;  ///< Share of the way.
   std::string obstacle_;
@@ -344,13 +352,15 @@ private:
 
 }  // namespace
 
-expected<void> shift_walls(mesh_builder& mesh, const wall_set& walls, double distance,
-                           const execution& run) {
+expected<carried_set> shift_walls(mesh_builder& mesh, const wall_set& walls, double distance,
+                                  shift_patience patience, const execution& run) {
   if (auto ok = check_room(walls, distance); !ok)
     return fail(ok.error());
   auto moving = walls;
-  const auto carried = find_carried(*mesh.base(), moving, distance);
-  return shifter(mesh, moving, carried, distance, run).shift();
+  auto carried = find_carried(*mesh.base(), moving, distance);
+  if (auto ok = shifter(mesh, moving, carried, distance, patience, run).shift(); !ok)
+    return fail(ok.error());
+  return carried;
 }
 
 }  // namespace tedit::ops
