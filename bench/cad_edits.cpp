@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // bench_cad CAD_FILE MESH UNIT FEATURES.json [SEED [new] [LABEL ...]]: edits of a part on its mesh
 // and on its CAD model. Each listed hole filled; both walls of each listed plate taken down and put
-// on by 1 mm (or a tenth of the plate); edges of random walls rounded, holes drilled into random
-// flat walls, bores resized; holes moved, copied and mirrored, text, an SVG ring, a box from a file
-// and ribs on random flat walls, the part hollowed and cut in two; then all listed holes one after
-// the other. "new" after the seed: only what is in the line before; labels: only these. The mesh's
-// surfaces must be the CAD file's faces by their places. A line an edit: operation | surfaces | on
-// the mesh | on the CAD model | way | deviation mm | ms of both; then the reason, and a summary
-// line an operation.
+// on by 1 mm (or a tenth of the plate); edges of random walls rounded, all of a wall and one
+// by one, holes drilled into random flat walls, bores resized; holes moved, copied and mirrored,
+// text, an SVG ring, a box from a file and ribs on random flat walls, the part hollowed and cut in
+// two; then all listed holes one after the other. "new" after the seed: only what is in the line
+// before; labels: only these. The mesh's surfaces must be the CAD file's faces by their places. A
+// line an edit: operation | surfaces | on the mesh | on the CAD model | way | deviation mm | ms of
+// both; then the reason, and a summary line an operation.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -15,6 +15,7 @@
 #include <exception>
 #include <fstream>
 #include <map>
+#include <numbers>
 #include <random>
 #include <set>
 #include <string>
@@ -26,6 +27,7 @@
 #include "cad/import.hpp"
 #include "cad/replay.hpp"
 #include "edit/make_edit.hpp"
+#include "mesh/features/surface_shape.hpp"
 #include "mesh/features/wall_shape.hpp"
 #include "mesh/io/import.hpp"
 #include "ops/tools/local_size.hpp"
@@ -174,6 +176,24 @@ void run_random(cad_run& run, std::uint64_t seed) {
     if (rounded++ < 10)
       run.edit("open", run.base(), {"open", {wall}, {{"radius", 1e-3}}, {}});
   }
+}
+
+/// Ten edges of random walls that bend by more than 30 degrees, outer and inner ones.
+void run_rounding(cad_run& run, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  const auto& mesh = *run.base().mesh;
+  const auto extent = ops::extent_of(mesh);
+  const vec3 size = extent.high - extent.low;
+  const double radius = std::min({size.x, size.y, size.z}) / 50;
+  int done = 0;
+  for (const auto wall : random_walls(mesh, random))
+    for (const auto& [other, joint] : shape_of(mesh, wall).joints) {
+      const double bend = joint.angle - std::numbers::pi;
+      if (other < wall || std::abs(bend) < std::numbers::pi / 6 || done++ >= 10)
+        continue;
+      run.edit(bend < 0 ? "open, one edge" : "close, one edge", run.base(),
+               {bend < 0 ? "open" : "close", {wall, other}, {{"radius", radius}}, {}});
+    }
 }
 
 std::string vector_text(vec3 v) {
@@ -331,6 +351,7 @@ int main(int argc, char** argv) try {
     run.edit("fill_hole", run.base(), {"fill_hole", ids_of(hole["surfaces"]), {}, {}});
   run_plates(run, features);
   run_random(run, seed);
+  run_rounding(run, seed);
   auto at = run.base();
   for (const auto& hole : features["holes"])
     at = run.edit("chain", at, {"fill_hole", ids_of(hole["surfaces"]), {}, {}});

@@ -107,12 +107,16 @@ bool save_step(const cad_step& step, const std::filesystem::path& folder) {
   json motions = json::array();
   for (const auto& m : step.motions)
     motions.push_back({{"columns", m.columns}, {"shift", m.shift}});
+  json carried = json::array();
+  for (const auto& c : step.carried)
+    carried.push_back({{"surface", c.surface}, {"way", c.way_mm}});
   json more = json::array();
   for (const auto& tool : step.more)
     more.push_back(json_of(tool));
   return write(folder / step_file, {{"kind", kinds[static_cast<std::size_t>(step.kind)]},
                                     {"surfaces", step.surfaces},
                                     {"distance", step.distance_mm},
+                                    {"carried", std::move(carried)},
                                     {"convex", step.convex},
                                     {"tool", json_of(step.tool)},
                                     {"motions", std::move(motions)},
@@ -134,6 +138,9 @@ expected<cad_step> load_step(const std::filesystem::path& folder) {
         step.kind = static_cast<step_kind>(i);
     from.at("surfaces").get_to(step.surfaces);
     from.at("distance").get_to(step.distance_mm);
+    for (const auto& c : from.at("carried"))
+      step.carried.push_back(
+        {c.at("surface").get<int>(), c.at("way").get<decltype(carried_surface::way_mm)>()});
     from.at("convex").get_to(step.convex);
     step.tool = tool_from(from.at("tool"));
     for (const auto& m : from.at("motions"))

@@ -59,11 +59,19 @@ struct step_motion {
   std::array<double, 3> shift{};
 };
 
+/// A surface that goes along with a wall, as it is: a fillet at the wall's border.
+struct carried_surface {
+  int surface = 0;
+  std::array<double, 3> way_mm{};
+};
+
 /// An edit as it is to be made on the B-rep.
 struct cad_step {
   step_kind kind = step_kind::remove;
   std::vector<int> surfaces;
   double distance_mm = 0;
+  std::vector<carried_surface>
+    carried;            ///< Of `shift`; those that are in `surfaces`, too, as well.
   bool convex = false;  ///< Of `round`: outer edges, else inner ones.
   exact_tool tool;
   std::vector<step_motion> motions;  ///< Of `copy`.

@@ -6,6 +6,7 @@
 #include "cad/step_makers.hpp"
 #include "mesh/features/wall_shape.hpp"
 #include "ops/loader/catalogue.hpp"
+#include "ops/shapes/walls/carried_surfaces.hpp"
 
 namespace tedit::cad {
 
@@ -27,15 +28,27 @@ step_or_reason removal(const edit_made& edit) {
   return on_surfaces(step_kind::remove, edit);
 }
 
+/// Walls that move by `distance` (m, outward), with the fillets that the mesh lets go along.
+cad_step shift_of(const edit_made& edit, double distance) {
+  auto step = on_surfaces(step_kind::shift, edit, distance);
+  auto walls = ops::fit_walls(edit.before, edit.surfaces());
+  if (!walls)
+    return step;
+  for (const auto& [id, way] : ops::find_carried(edit.before, *walls, distance))
+    step.carried.push_back(
+      {static_cast<int>(id), {mm_of_metre * way.x, mm_of_metre * way.y, mm_of_metre * way.z}});
+  return step;
+}
+
 step_or_reason erosion(const edit_made& edit) {
   const double depth = edit.number("depth");
   if (depth <= 0)
     return because("layers of tets were taken off, which is no length");
-  return on_surfaces(step_kind::shift, edit, -depth);
+  return shift_of(edit, -depth);
 }
 
 step_or_reason thickening(const edit_made& edit) {
-  return on_surfaces(step_kind::shift, edit, edit.number("depth"));
+  return shift_of(edit, edit.number("depth"));
 }
 
 step_or_reason resizing(const edit_made& edit) {
@@ -43,8 +56,7 @@ step_or_reason resizing(const edit_made& edit) {
     edit.before, facets_of(edit.before, std::array{edit.surfaces().front()}), {1e-3, true, false});
   if (!wall || wall->type != wall_shape::kind::cylinder)
     return because("the wall is no cylinder in the mesh");
-  return on_surfaces(step_kind::shift, edit,
-                     wall->side * (edit.number("diameter") / 2 - wall->radius));
+  return shift_of(edit, wall->side * (edit.number("diameter") / 2 - wall->radius));
 }
 
 template <bool Convex>

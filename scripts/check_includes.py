@@ -62,7 +62,7 @@ ROOMS = {
     "ops/": (
         ("ops/shapes/caps", "ops/shapes/deform", "ops/shapes/features", "ops/shapes/outlines", "ops/shapes/walls", "ops/shapes/rounding", "ops/shapes", "ops/tools/text", "ops/tools", "ops/sdk", "mesh", "base"), ()),
     "edit": (("ops/loader", "ops/services", "ops/sdk", "fem", "mesh", "base"), ()),
-    "cad": (("edit", "ops/combine", "ops/emboss/emboss.hpp", "ops/loader", "ops/pattern/pattern.hpp", "ops/rib/rib.hpp", "ops/sdk", "ops/services", "ops/shapes/features", "ops/shapes/outlines", "ops/sweep/sweep_along.hpp", "ops/tools", "mesh/features", "mesh/io", "mesh", "base"), ("nlohmann/",)),
+    "cad": (("edit", "ops/combine", "ops/emboss/emboss.hpp", "ops/loader", "ops/pattern/pattern.hpp", "ops/rib/rib.hpp", "ops/sdk", "ops/services", "ops/shapes/features", "ops/shapes/outlines", "ops/shapes/walls/carried_surfaces.hpp", "ops/sweep/sweep_along.hpp", "ops/tools", "mesh/features", "mesh/io", "mesh", "base"), ("nlohmann/",)),
     "cad/teller.cpp": (("cad", "sandbox", "base"), ()),
     "cad/reader": (("cad", "base"), OPENCASCADE),
     "cad/editor": (("cad", "mesh", "base"), OPENCASCADE),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Walls that move, and edges that are rounded.
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 
 #include <BRepAdaptor_Curve.hxx>
@@ -21,6 +23,7 @@
 #include <gp_Ax2.hxx>
 #include <gp_Pln.hxx>
 
+#include "cad/editor/in_place.hpp"
 #include "cad/editor/ways.hpp"
 
 namespace tedit::cad {
@@ -61,6 +64,15 @@ TopoDS_Shape layer_of(const TopoDS_Face& face, double distance) {
   return offset.IsDone() ? offset.GetResultShape() : TopoDS_Shape();
 }
 
+/// Does the solid own one of the faces?
+std::function<bool(const TopoDS_Shape&)> owner_of(const std::vector<TopoDS_Face>& faces) {
+  return [&faces](const TopoDS_Shape& solid) {
+    TopTools_IndexedMapOfShape own;
+    TopExp::MapShapes(solid, TopAbs_FACE, own);
+    return std::ranges::any_of(faces, [&](const TopoDS_Face& one) { return own.Contains(one); });
+  };
+}
+
 TopoDS_Shape moved_by_layers(const part_model& part, const std::vector<TopoDS_Face>& walls,
                              double distance) {
   std::vector<TopoDS_Shape> layers;
@@ -71,14 +83,7 @@ TopoDS_Shape moved_by_layers(const part_model& part, const std::vector<TopoDS_Fa
     layers.push_back(layer);
   }
   return combined(part, layers, distance > 0 ? body_operation::add : body_operation::cut,
-                  [&](const TopoDS_Shape& solid) {
-                    TopTools_IndexedMapOfShape own;
-                    TopExp::MapShapes(solid, TopAbs_FACE, own);
-                    for (const auto& wall : walls)
-                      if (own.Contains(wall))
-                        return true;
-                    return false;
-                  });
+                  owner_of(walls));
 }
 
 /// A box around the part between the plane of a wall and that plane moved.
@@ -192,6 +197,7 @@ std::vector<way> ways_to_shift(const part_model& part, const cad_step& step) {
     return {};
   const double distance = step.distance_mm;
   std::vector<way> ways{
+    {"in place", [&part, &step] { return moved_in_place(part, step); }},
     {"layer", [&part, walls, distance] { return moved_by_layers(part, *walls, distance); }}};
   if (distance < 0 && walls->size() == 1 && is_flat(walls->front()))
     ways.push_back(

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Edits of the mesh that are made on the CAD model, too: only where both are the same.
 #include <map>
+#include <numbers>
 #include <set>
 
+#include "mesh/features/exact_wall.hpp"
 #include "tests/cad/replayed_part.hpp"
 
 namespace tedit::test {
@@ -63,6 +65,66 @@ TEST_F(Replay, ARoundedEdgeIsAFillet) {
   EXPECT_TRUE(result.verdict.is_same) << result.verdict.reason;
   EXPECT_EQ(result.verdict.how, "fillet");
   EXPECT_EQ(result.model.facts.faces.size(), 7U);
+}
+
+/// mm2 of all faces of a model, each of which has one id.
+double area_of(const cad::cad_model& model) {
+  double area = 0;
+  for (const auto& face : model.facts.faces) {
+    area += face.area_mm2;
+    EXPECT_EQ(face.ids.size(), 1U);
+  }
+  return area;
+}
+
+TEST_F(Replay, AFilletGoesAlongWithItsWall) {
+  const edit_request round{"open", {1, 3}, {{"radius", 0.002}}, {}};
+  const auto rounded = edit(round);
+  go_on(rounded, replay(round, rounded));
+  const auto fillet = static_cast<surface_id>(mesh_->surfaces().back().id);
+  for (const auto& [operation, width] : {std::pair{"thicken", 11.0}, {"erode", 9.0}}) {
+    const edit_request wanted{operation, {1}, {{"depth", 0.001}}, {}};
+    const auto made = edit(wanted);
+
+    const auto result = replay(wanted, made);
+
+    EXPECT_TRUE(result.verdict.is_same) << operation << ": " << result.verdict.reason;
+    EXPECT_EQ(result.verdict.how, "in place");
+    ASSERT_EQ(result.model.facts.faces.size(), 7U);
+    // Of a box; at its rounded edge of 30 mm a quarter of a cylinder instead of two strips.
+    const double box = 2 * (width * 20 + 20 * 30 + width * 30);
+    const double pi = std::numbers::pi;
+    EXPECT_NEAR(area_of(result.model), box + 30 * (pi - 4) - 2 * (4 - pi), 1e-6) << operation;
+    const auto shape =
+      fit_exact(corners_of(*made.version, facets_of(*made.version, std::array{fillet})));
+    ASSERT_TRUE(shape) << operation;
+    EXPECT_NEAR(shape->shape.radius, 0.002, 1e-9) << operation << ": the fillet was bent";
+  }
+}
+
+TEST_F(Replay, AWallAndABoreMoveWhereTheyAre) {
+  const edit_request drilled{
+    "drill",
+    {},
+    {{"at", std::string("0,0.01,0.015")}, {"direction", std::string("1,0,0")}, {"diameter", 0.006}},
+    {}};
+  const auto hole = edit(drilled);
+  go_on(hole, replay(drilled, hole));
+  const auto bore = static_cast<surface_id>(mesh_->surfaces().back().id);
+  const double pi = std::numbers::pi;
+  const auto area = [&](double width, double d) {
+    return 2 * (width * 20 + 20 * 30 + width * 30 - pi * d * d / 4) + pi * d * width;
+  };
+  const edit_request thicker{"thicken", {1}, {{"depth", 0.001}}, {}};
+  const auto longer = replay(thicker, edit(thicker));
+  EXPECT_EQ(longer.verdict.how, "in place") << longer.verdict.reason;
+  EXPECT_EQ(longer.model.facts.faces.size(), 7U);
+  EXPECT_NEAR(area_of(longer.model), area(11, 6), 1e-6);
+
+  const edit_request resized{"resize_bore", {bore}, {{"diameter", 0.007}}, {}};
+  const auto wider = replay(resized, edit(resized));
+  EXPECT_EQ(wider.verdict.how, "in place") << wider.verdict.reason;
+  EXPECT_NEAR(area_of(wider.model), area(10, 7), 1e-6);
 }
 
 TEST_F(Replay, AShapeThatIsNotTheMeshIsNotTaken) {
