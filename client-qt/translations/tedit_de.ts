@@ -3374,10 +3374,6 @@
         <translation>Das ganze Loch bis zu einer klaren Kante auswählen</translation>
     </message>
     <message>
-        <source>Select two walls that are; other shapes cannot be rounded by this version</source>
-        <translation>Zwei Wände auswählen, die es sind; andere Formen kann diese Version nicht runden</translation>
-    </message>
-    <message>
         <source>Select two walls that meet at an inner corner, or use open for outer edges</source>
         <translation>Zwei Wände auswählen, die an einer Innenecke zusammenstoßen, oder für Außenkanten „Kanten abrunden“ nehmen</translation>
     </message>
@@ -4596,10 +4592,6 @@
     <message>
         <source>surface %1 is in the way at %2</source>
         <translation>Fläche %1 ist bei %2 im Weg</translation>
-    </message>
-    <message>
-        <source>surface %1 is neither flat nor a round cylinder</source>
-        <translation>Fläche %1 ist weder eben noch ein runder Zylinder</translation>
     </message>
     <message>
         <source>surface %1 is not in this version of the mesh</source>
@@ -10604,6 +10596,38 @@
     <message>
         <source>the round walls at the tool follow their arcs closer now: %1 mm3 of the change of volume come of that</source>
         <translation>die runden Wände am Werkzeug folgen ihren Bögen jetzt genauer: %1 mm3 der Volumenänderung kommen davon</translation>
+    </message>
+    <message>
+        <source>Select two walls that are; free form cannot be rounded by this version</source>
+        <translation>Wählen Sie zwei solche Wände; Freiform kann diese Version nicht abrunden</translation>
+    </message>
+    <message>
+        <source>in place</source>
+        <translation>an Ort und Stelle</translation>
+    </message>
+    <message>
+        <source>rounds at the wall went along with it: surface %1</source>
+        <translation>Rundungen an der Wand sind mit ihr gegangen: Fläche %1</translation>
+    </message>
+    <message>
+        <source>surface %1 is neither a plane, a cylinder, a cone, a sphere nor a torus</source>
+        <translation>Fläche %1 ist weder Ebene noch Zylinder, Kegel, Kugel oder Torus</translation>
+    </message>
+    <message>
+        <source>the surface finds no way by its own vertices</source>
+        <translation>die Fläche findet mit ihren eigenen Knoten keinen Weg</translation>
+    </message>
+    <message>
+        <source>Select the walls of one region at a time</source>
+        <translation>Wählen Sie die Wände eines Bereichs auf einmal</translation>
+    </message>
+    <message>
+        <source>a slab would be of one of the surface&apos;s regions alone</source>
+        <translation>eine Platte gehörte zu einem der Bereiche der Fläche allein</translation>
+    </message>
+    <message>
+        <source>what is put on surface %1 would be of one region alone</source>
+        <translation>was auf Fläche %1 aufgetragen wird, gehörte zu einem Bereich allein</translation>
     </message>
 </context>
 <context>
