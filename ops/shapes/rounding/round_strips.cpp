@@ -109,15 +109,10 @@ private:
   // -- ends ---------------------------------------------------------------------------
 
   expected<void> end_at(const round_corner& corner) {
-    switch (corner.type) {
-      case round_corner::kind::wall:
-        return end_at_wall(corner);
-      case round_corner::kind::smooth:
-      case round_corner::kind::mitre:
-        return join(corner);
-      default:
-        return end_at_ball(corner);
-    }
+    using kind = round_corner::kind;
+    return corner.type == kind::wall   ? end_at_wall(corner)
+           : corner.type == kind::ball ? end_at_ball(corner)
+                                       : join(corner);
   }
 
   [[nodiscard]] end_row& row_of(const chain_end& e) { return ends_[e.chain][e.last]; }
