@@ -70,9 +70,8 @@ struct cad_step {
   step_kind kind = step_kind::remove;
   std::vector<int> surfaces;
   double distance_mm = 0;
-  std::vector<carried_surface>
-    carried;            ///< Of `shift`; those that are in `surfaces`, too, as well.
-  bool convex = false;  ///< Of `round`: outer edges, else inner ones.
+  std::vector<carried_surface> carried;  ///< Of `shift`; some may be in `surfaces`, too.
+  bool convex = false;                   ///< Of `round`: outer edges, else inner ones.
   exact_tool tool;
   std::vector<step_motion> motions;  ///< Of `copy`.
   bool leaves = false;               ///< Of `copy`: the one that was there goes.

@@ -112,8 +112,16 @@ private:
     return edge;
   }
 
-  /// With its edges where they are now; the same face where none of them moved.
+  /// One for all solids that share it.
   TopoDS_Shape new_face(const TopoDS_Face& old) {
+    if (!faces_.IsBound(old))
+      faces_.Bind(old, make_face(TopoDS::Face(old.Oriented(TopAbs_FORWARD))));
+    return faces_.Find(old).Oriented(old.Orientation());
+  }
+
+  /// With its edges where they are now; the same face where none of them moved. Forward: which of a
+  /// seam's two curves belongs to which side depends on that.
+  TopoDS_Face make_face(const TopoDS_Face& old) {
     bool is_same = !surfaces_.moves(old);
     for (TopExp_Explorer edges(old, TopAbs_EDGE); edges.More(); edges.Next())
       is_same = is_same && new_edge(TopoDS::Edge(edges.Current())).IsSame(edges.Current());
@@ -128,11 +136,9 @@ private:
       place = {};
     }
     builder.MakeFace(made, surface, place, BRep_Tool::Tolerance(old));
-    // Which of a seam's two curves belongs to which side depends on the face's orientation.
-    const auto forward = TopoDS::Face(old.Oriented(TopAbs_FORWARD));
-    for (TopoDS_Iterator wires(forward); wires.More(); wires.Next())
-      builder.Add(made, new_wire(wires.Value(), forward, made));
-    return made.Oriented(old.Orientation());
+    for (TopoDS_Iterator wires(old); wires.More(); wires.Next())
+      builder.Add(made, new_wire(wires.Value(), old, made));
+    return made;
   }
 
   TopoDS_Shape new_wire(const TopoDS_Shape& old, const TopoDS_Face& of, const TopoDS_Face& made) {
@@ -222,6 +228,7 @@ private:
   TopTools_IndexedDataMapOfShapeListOfShape faces_at_edge_;
   TopTools_DataMapOfShapeShape vertices_;
   TopTools_DataMapOfShapeShape edges_;
+  TopTools_DataMapOfShapeShape faces_;
 };
 
 }  // namespace
