@@ -10629,6 +10629,14 @@
         <source>what is put on surface %1 would be of one region alone</source>
         <translation>was auf Fläche %1 aufgetragen wird, gehörte zu einem Bereich allein</translation>
     </message>
+    <message>
+        <source>Take a smaller depth, or other surfaces</source>
+        <translation>Nehmen Sie eine kleinere Tiefe, oder andere Flächen</translation>
+    </message>
+    <message>
+        <source>the face between two regions leaves surface %1 no way at %2</source>
+        <translation>die Fläche zwischen zwei Bereichen lässt Fläche %1 bei %2 keinen Weg</translation>
+    </message>
 </context>
 <context>
     <name>server_lists</name>

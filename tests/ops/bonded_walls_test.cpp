@@ -12,6 +12,7 @@
 #include "ops/loader/catalogue.hpp"
 #include "ops/services/host_services.hpp"
 #include "ops/shapes/move_by_tool.hpp"
+#include "ops/shapes/move_by_vertices.hpp"
 #include "tests/support/bonded_boxes.hpp"
 #include "tests/support/edits.hpp"
 #include "tests/support/meshes.hpp"
@@ -217,6 +218,16 @@ TEST_F(BondedWalls, WhatIsPutOnAWallOfBothRegionsIsOfEach) {
   const auto tool = move_by_tool(base, {6}, 0.3, ctx_);
   ASSERT_FALSE(tool);
   EXPECT_EQ(tool.error().message, "what is put on surface 6 would be of one region alone");
+}
+
+TEST_F(BondedWalls, AFaceBetweenRegionsThatIsInTheWayIsNoSurfaceToSelect) {
+  // The plate's top goes on as the face below the cube, which stays.
+  const auto moved = move_by_vertices(cube_on_plate(), {7}, 0.1, shift_patience::all, {});
+
+  ASSERT_FALSE(moved);
+  EXPECT_EQ(moved.error().message.substr(0, 57),
+            "the face between two regions leaves surface 7 no way at (");
+  EXPECT_EQ(moved.error().remedy, "Take a smaller depth, or other surfaces");
 }
 
 TEST_F(BondedWalls, ThickeningThePlateBondsItToTheCubesSides) {

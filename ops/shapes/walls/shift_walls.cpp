@@ -29,7 +29,7 @@ constexpr double mend_below = 0.3;
 constexpr double neighbour_tolerance = 0.1;
 /// Steps are halved down to this share of the whole way.
 constexpr double least_step(shift_patience patience) {
-  return patience == shift_patience::all ? 1.0 / 128 : 1.0 / 8;
+  return patience == shift_patience::all ? 1.0 / 128 : 1.0 / 32;
 }
 /// Surfaces that meet at less than this sine run on flush with each other.
 constexpr double least_sine = 0.05;
@@ -48,7 +48,7 @@ struct condition {
   std::optional<wall_shape> exact;
   const facet_sheet* sheet = nullptr;  ///< Where there is no exact shape.
   double target = 0;
-  surface_id surface = 0;
+  std::optional<surface_id> surface;  ///< None: a face between two regions.
   bool moves = false;
   vec3 carried = {};  ///< How far the surface has gone with a wall, m.
 
@@ -140,7 +140,7 @@ private:
       if (!is_finite(x) || norm(x - start) > 50 * std::abs(distance_))
         break;
     }
-    return fail(ec::invalid_argument, "surface " + std::to_string(conditions.front().surface) +
+    return fail(ec::invalid_argument, "surface " + std::to_string(*conditions.front().surface) +
                                         " at " + place_text(start) +
                                         " finds no place on its neighbours so far away");
   }
@@ -148,8 +148,8 @@ private:
   /// What goes along keeps its place on its surface.
   [[nodiscard]] vec3 first_way(const std::vector<condition>& conditions, double share) const {
     for (const auto& c : conditions)
-      if (const auto row = carried_.find(c.surface); row != carried_.end())
-        return (share - reached_) * row->second;
+      if (c.surface && carried_.contains(*c.surface))
+        return (share - reached_) * carried_.at(*c.surface);
     return {};
   }
 
@@ -172,7 +172,7 @@ private:
       }
       // What is fulfilled along with the others is no further condition.
       if (std::abs(missing) > std::max(flush_tolerance * share * std::abs(distance_), slack_of(c)))
-        return flush(c, x, conditions.front().surface);
+        return flush(c, x, *conditions.front().surface);
     }
     return move;
   }
@@ -183,11 +183,16 @@ private:
   }
 
   [[nodiscard]] static tl::unexpected<error> flush(const condition& c, vec3 x, surface_id moved) {
-    return fail(
-      ec::invalid_argument,
-      "surface " + std::to_string(c.surface) + " runs on flush with surface " +
-        std::to_string(moved) + " or leaves it no way at " + place_text(x),
-      c.moves ? "Select fewer surfaces" : "Select surface " + std::to_string(c.surface) + ", too");
+    if (!c.surface)
+      return fail(ec::invalid_argument,
+                  "the face between two regions leaves surface " + std::to_string(moved) +
+                    " no way at " + place_text(x),
+                  "Take a smaller depth, or other surfaces");
+    const auto id = std::to_string(*c.surface);
+    return fail(ec::invalid_argument,
+                "surface " + id + " runs on flush with surface " + std::to_string(moved) +
+                  " or leaves it no way at " + place_text(x),
+                c.moves ? "Select fewer surfaces" : "Select surface " + id + ", too");
   }
 
   std::vector<condition> conditions_at(vertex_id v, double share) {
@@ -259,7 +264,7 @@ private:
         wall_shape plane;
         plane.point = mesh_.position(v);
         plane.axis = normalized(area_vector(p[a], p[b], p[c]));
-        result.push_back({plane, nullptr, 0, 0, false});
+        result.push_back({plane, nullptr, 0, std::nullopt, false});
       }
   }
 

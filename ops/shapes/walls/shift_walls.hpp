@@ -7,7 +7,7 @@ namespace tedit::ops {
 
 /// How small the steps may become before the way counts as none.
 enum class shift_patience {
-  little,  ///< An eighth of the way: where another way is left.
+  little,  ///< 1/32 of the way: where another way is left.
   all      ///< 1/128.
 };
 
