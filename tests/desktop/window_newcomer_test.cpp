@@ -52,9 +52,10 @@ protected:
     ASSERT_TRUE(wait([&] { return is_final(); }));
   }
 
-  /// One edit with the values that the form offers, or that are typed beside a label.
+  /// One edit with the values that the form offers, or that are typed beside a label. `told`: what
+  /// a notice begins with.
   void edit(const QString& tool, surface_id at, const QString& label = {},
-            const QString& typed = {}) {
+            const QString& typed = {}, const QString& told = {}) {
     const auto before = version();
     QTest::keyClick(&view(), Qt::Key_Escape);
     QTest::keyClick(&view(), Qt::Key_Escape);
@@ -69,7 +70,7 @@ protected:
     press_button("Apply");
     ASSERT_TRUE(wait([&] { return version() == before + 1 && is_final(); })) << tool.toStdString();
     EXPECT_TRUE(reads(QString("v%1").arg(before + 1)));
-    EXPECT_EQ(window->context().messages.text(), "") << tool.toStdString();
+    EXPECT_EQ(window->context().messages.text().section(':', 0, 0), told) << tool.toStdString();
     look(tool + "-applied");
   }
 };
@@ -113,7 +114,7 @@ TEST_F(NewcomersHour, GoesFromAnOwnMeshToAReportAndOn) {
   edit("Erode", 5);
   edit("Improve mesh", 6);
   edit("Round edges", 6);
-  edit("Thicken", 7, "Thickness", "1/8 in");
+  edit("Thicken", 7, "Thickness", "1/8 in", "Rounds at the wall went along with it");
   EXPECT_EQ(version(), 10U);
 
   choose_in_menu("File", "Close the part");
