@@ -133,6 +133,26 @@ private:
   unique_fd wanted_;  ///< Closed: it is ended.
 };
 
+/// As `write`; a child that stopped reading is an error (EPIPE), whatever this process does of
+/// SIGPIPE: it may be one that nobody prepared, as a plugin's own.
+ssize_t write_to_child(int to, std::span<const char> bytes) {
+  sigset_t broken;
+  sigset_t before;
+  sigemptyset(&broken);
+  sigaddset(&broken, SIGPIPE);
+  pthread_sigmask(SIG_BLOCK, &broken, &before);
+  const auto sent = write(to, bytes.data(), bytes.size());
+  const int reason = errno;
+  if (sent < 0 && reason == EPIPE) {
+    const timespec at_once{};
+    while (sigtimedwait(&broken, nullptr, &at_once) < 0 && errno == EINTR) {
+    }
+  }
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  errno = reason;
+  return sent;
+}
+
 /// Moves bytes both ways until the child closes its output, the time is over or it is cancelled.
 expected<std::vector<char>> exchange(unique_fd& to_child, unique_fd& from_child,
                                      std::span<const char> input,
@@ -156,7 +176,7 @@ expected<std::vector<char>> exchange(unique_fd& to_child, unique_fd& from_child,
     if (poll(ends.data(), input.empty() ? 1 : 2, wait) < 0 && errno != EINTR)
       return fail(ec::internal, std::string("poll failed: ") + std::strerror(errno));
     if (!input.empty() && (ends[1].revents & (POLLOUT | POLLERR))) {
-      const auto sent = write(to_child.get(), input.data(), input.size());
+      const auto sent = write_to_child(to_child.get(), input);
       if (sent > 0)
         input = input.subspan(static_cast<std::size_t>(sent));
       else if (errno != EAGAIN && errno != EINTR)

@@ -66,6 +66,13 @@ TEST(ProgramLine, SeveralRunAtOnce) {
     "0123");
 }
 
+/// More than a pipe holds: it is written when the program has ended.
+TEST(ProgramLine, AProgramThatReadsNothingEndsNobodyElse) {
+  signal(SIGPIPE, SIG_DFL);
+
+  EXPECT_EQ(run("/bin/false", std::string(1 << 20, 'x')), "false gave up (exit status 1)");
+}
+
 TEST(ProgramLine, EachProgramOfTheListIsStarted) {
   forked_limits limits;
   limits.confine = []() -> expected<void> { return {}; };
