@@ -178,7 +178,8 @@ void run_random(cad_run& run, std::uint64_t seed) {
   }
 }
 
-/// Ten edges of random walls that bend by more than 30 degrees, outer and inner ones.
+/// Ten edges of random walls, outer and inner ones, that bend by more than 60 degrees: those of a
+/// coarse fillet's facets, where there is nothing to round, bend by less.
 void run_rounding(cad_run& run, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   const auto& mesh = *run.base().mesh;
@@ -189,7 +190,7 @@ void run_rounding(cad_run& run, std::uint64_t seed) {
   for (const auto wall : random_walls(mesh, random))
     for (const auto& [other, joint] : shape_of(mesh, wall).joints) {
       const double bend = joint.angle - std::numbers::pi;
-      if (other < wall || std::abs(bend) < std::numbers::pi / 6 || done++ >= 10)
+      if (other < wall || std::abs(bend) < std::numbers::pi / 3 || done++ >= 10)
         continue;
       run.edit(bend < 0 ? "open, one edge" : "close, one edge", run.base(),
                {bend < 0 ? "open" : "close", {wall, other}, {{"radius", radius}}, {}});

@@ -92,11 +92,10 @@ private:
     const auto patch = find_patch(mesh_, id);
     row->second.flat = patch && patch->flat();
     if (!row->second.flat)
-      row->second.shape = fit_wall(*mesh_.base(), facets_of(*mesh_.base(), std::array{id}), round);
+      row->second.shape =
+        fit_wall(*mesh_.base(), facets_of(*mesh_.base(), std::array{id}), round_enough);
     return row->second;
   }
-
-  static constexpr fit_limits round{3e-3, true, true};
 
   const mesh_builder& mesh_;
   std::map<surface_id, wall> walls_;

@@ -39,6 +39,10 @@ struct fit_limits {
   bool cones = false;
 };
 
+/// What counts as round where a wall moves. A vertex that is a little off the shape stays as far
+/// off.
+inline constexpr fit_limits round_enough{3e-3, true, true};
+
 /// Fits a plane (within 1e-6 of the surface's size) or a cylinder (within 1e-4 of its radius), with
 /// `cones` also a cone, to all corners of the facets. Nothing for any other shape. Cost: O(facets).
 [[nodiscard]] std::optional<wall_shape> fit_wall(const mesh_version& mesh,

@@ -28,7 +28,8 @@ struct seam_edge {
 
 using surface_pair = std::pair<surface_id, surface_id>;
 
-/// A bore of six facets is round here, if its corners say so: its edges are what is picked.
+/// Also a cylinder whose corners are too few for `has_round_corners`, as a bore of six facets: who
+/// picks its edge has seen that it is round. Nothing for free form.
 std::optional<exact_wall> fitted_to(const facet_corners& corners) {
   if (const auto coarse = fit_wall(corners.points, corners.triangles))
     return exact_wall{*coarse};

@@ -15,8 +15,6 @@ namespace {
 /// More triangles than this are the sign of a radius far below the part's size.
 constexpr std::size_t most_triangles = 12'000;
 constexpr int most_segments = 48;
-/// Share of the radius by which the arcs of two chains may differ where they meet.
-constexpr double match = 5e-3;
 
 /// Points and centres across the arc at one end of a chain, from wall a to wall b.
 struct end_row {
@@ -174,7 +172,7 @@ private:
           row.points[j] = add(p);
         else
           row.points[j] = points[outward];
-        if (i == 1 && norm(made_.points[row.points[j]] - p) > match * settings_.radius)
+        if (i == 1 && norm(made_.points[row.points[j]] - p) > arcs_match * settings_.radius)
           return too_large(end.chain,
                            "the edges that meet there have different angles, and the corner "
                            "between them stays sharp",

@@ -7,8 +7,6 @@ namespace tedit::ops {
 
 namespace {
 
-/// Of the radius: how far apart both centres may be.
-constexpr double match = 5e-3;
 /// Of the radius: by so much the corner is left to see how the walls differ; and what they differ
 /// by then, where they are not one.
 constexpr double small = 1e-3;
@@ -48,7 +46,7 @@ std::optional<std::array<vec3, 2>> centres_at_joint(const std::array<joint_end, 
       return std::nullopt;
     centres[i] = *found;
   }
-  if (norm(centres[1] - centres[0]) > match * radius)
+  if (norm(centres[1] - centres[0]) > arcs_match * radius)
     return std::nullopt;
   return centres;
 }

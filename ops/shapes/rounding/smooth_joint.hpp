@@ -8,6 +8,9 @@
 
 namespace tedit::ops {
 
+/// Of the radius: by so much the arcs of two chains may differ where they meet.
+inline constexpr double arcs_match = 5e-3;
+
 /// A ball that rolls along a wall which two edges share, and along one that ends at their corner.
 struct joint_end {
   const rolling_ball& ball;

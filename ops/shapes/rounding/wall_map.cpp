@@ -83,22 +83,21 @@ wall_map::wall_map(const mesh_version& mesh, const exact_wall& wall,
 }
 
 void wall_map::find_cuts(const mesh_version& mesh, std::span<const facet_id> facets) {
-  std::vector<std::array<double, 3>> around;
-  std::vector<std::array<double, 3>> around_tube;
-  for (const auto f : facets) {
-    auto& a = around.emplace_back();
-    auto& b = around_tube.emplace_back();
-    for (int i = 0; i < 3; ++i) {
-      a[i] = about_axis(mesh.position(mesh.facet(f).v[i]));
-      b[i] = about_tube(mesh.position(mesh.facet(f).v[i]));
+  const auto gap_of = [&](const auto& angle) {
+    std::vector<std::array<double, 3>> around;
+    for (const auto f : facets) {
+      const auto& v = mesh.facet(f).v;
+      around.push_back(
+        {angle(mesh.position(v[0])), angle(mesh.position(v[1])), angle(mesh.position(v[2]))});
     }
-  }
-  const auto cut = widest_gap(around);
+    return widest_gap(around);
+  };
+  const auto cut = gap_of([&](vec3 p) { return about_axis(p); });
   start_ = cut.middle;
   ring_ = cut.width < least_gap;
   if (wall_.tube_radius <= 0)
     return;
-  const auto tube_cut = widest_gap(around_tube);
+  const auto tube_cut = gap_of([&](vec3 p) { return about_tube(p); });
   tube_start_ = tube_cut.middle;
   tube_is_ring_ = tube_cut.width < least_gap;
   if (tube_is_ring_) {

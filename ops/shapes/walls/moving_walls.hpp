@@ -10,9 +10,6 @@
 
 namespace tedit::ops {
 
-/// What counts as round here. A vertex that is a little off the shape stays as far off.
-inline constexpr fit_limits round_enough{3e-3, true, true};
-
 /// A surface that moves, as it was before.
 struct moving_wall {
   std::optional<wall_shape> exact;
