@@ -4,14 +4,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include <BRepAdaptor_Curve.hxx>
 #include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepExtrema_DistShapeShape.hxx>
+#include <BRepLProp_CLProps.hxx>
 #include <BRepLProp_SLProps.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <BndLib.hxx>
 #include <ElSLib.hxx>
+#include <ShapeAnalysis_Surface.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 
@@ -34,6 +37,17 @@ void add_tube(const TopoDS_Face& face, Bnd_Box& box) {
   Standard_Real v2 = 0;
   BRepTools::UVBounds(face, u1, u2, v1, v2);
   BndLib::Add(surface.Torus(), u1, u2, 0, 2 * M_PI, BRep_Tool::Tolerance(face), box);
+}
+
+/// Of an edge, at the point of it that was found; 0 at its ends.
+double curvature_of(const TopoDS_Edge& edge, const BRepExtrema_DistShapeShape& found) {
+  if (found.SupportTypeShape2(1) != BRepExtrema_IsOnEdge)
+    return 0;
+  Standard_Real at = 0;
+  found.ParOnEdgeS2(1, at);
+  const BRepAdaptor_Curve curve(edge);
+  BRepLProp_CLProps properties(curve, at, 2, 1e-9);
+  return properties.IsTangentDefined() ? properties.Curvature() : 0;
 }
 
 }  // namespace
@@ -96,15 +110,21 @@ bool face_probe::is_inside(double u, double v) {
   return inside_->Perform(gp_Pnt2d(u, v), Standard_True) != TopAbs_OUT;
 }
 
-double face_probe::distance_of_rim(const gp_Pnt& point, double at_most) const {
+face_probe::rim_finding face_probe::nearest_rim(const gp_Pnt& point, double at_most) const {
   const auto vertex = BRepBuilderAPI_MakeVertex(point).Vertex();
-  double nearest = at_most;
+  rim_finding nearest;
+  nearest.distance = at_most;
   for (TopExp_Explorer edges(face_, TopAbs_EDGE); edges.More(); edges.Next()) {
-    if (BRep_Tool::Degenerated(TopoDS::Edge(edges.Current())))
+    const auto edge = TopoDS::Edge(edges.Current());
+    if (BRep_Tool::Degenerated(edge))
       continue;
-    const BRepExtrema_DistShapeShape far(vertex, edges.Current());
-    if (far.IsDone() && far.NbSolution() > 0)
-      nearest = std::min(nearest, far.Value());
+    const BRepExtrema_DistShapeShape far(vertex, edge);
+    if (!far.IsDone() || far.NbSolution() == 0)
+      continue;
+    if (far.Value() < nearest.distance) {
+      nearest.distance = far.Value();
+      nearest.curvature = curvature_of(edge, far);
+    }
   }
   return nearest;
 }
@@ -118,7 +138,26 @@ double face_probe::distance_of_surface(const gp_Pnt& point) {
   open();
   double u = 0;
   double v = 0;
-  return project(point, u, v) ? surface_->Value(u, v).Distance(point) : 1e300;
+  if (!project(point, u, v)) {
+    const auto end = ShapeAnalysis_Surface(BRep_Tool::Surface(face_)).ValueOfUV(point, 1e-9);
+    u = end.X();
+    v = end.Y();
+  }
+  gp_Pnt at;
+  gp_Vec along_u;
+  gp_Vec along_v;
+  surface_->D1(u, v, at, along_u, along_v);
+  // Beyond its end free form goes on as its tangent plane there.
+  const auto normal = along_u.Crossed(along_v);
+  const double size = normal.Magnitude();
+  return size > 0 ? std::abs(gp_Vec(at, point).Dot(normal)) / size : at.Distance(point);
+}
+
+double face_probe::vague() const {
+  double most = 0;
+  for (TopExp_Explorer edges(face_, TopAbs_EDGE); edges.More(); edges.Next())
+    most = std::max(most, BRep_Tool::Tolerance(TopoDS::Edge(edges.Current())));
+  return std::min(most, rim_slack_);
 }
 
 gp_Vec face_probe::outward_at(const gp_Pnt& point) {
@@ -147,15 +186,19 @@ face_probe::finding face_probe::operator()(const gp_Pnt& point, double at_most) 
   double u = 0;
   double v = 0;
   if (!project(point, u, v)) {
-    result.distance = distance_of_rim(point, at_most);
+    result.distance = nearest_rim(point, at_most).distance;
     return result;
   }
   const double off = surface_->Value(u, v).Distance(point);
   if (off >= at_most)
     return result;
   result.curvature = curvature_of(*surface_, u, v);
-  result.distance =
-    is_inside(u, v) ? off : std::max(off, distance_of_rim(point, at_most) - rim_slack_);
+  result.distance = off;
+  if (is_inside(u, v))
+    return result;
+  const auto rim = nearest_rim(point, at_most);
+  result.distance = std::max(off, rim.distance - rim_slack_);
+  result.curvature = std::max(result.curvature, rim.curvature);
   return result;
 }
 

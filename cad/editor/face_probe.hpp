@@ -29,11 +29,14 @@ public:
 
   struct finding {
     double distance = 1e300;  ///< mm, of the nearest point of the face, or `at_most`.
-    double curvature = 0;     ///< 1/mm: the larger one of the surface there.
+    double curvature = 0;  ///< 1/mm: the larger one of the surface there, or of the rim before it.
   };
 
   /// Looked for up to `at_most` (mm): beyond it only that is said.
   [[nodiscard]] finding operator()(const gp_Pnt& point, double at_most);
+
+  /// mm: so far may the model's own edges of the face be off it, at most the rim's slack.
+  [[nodiscard]] double vague() const;
 
   /// mm: of the surface that the face is a piece of.
   [[nodiscard]] double distance_of_surface(const gp_Pnt& point);
@@ -45,7 +48,12 @@ private:
   void open();
   [[nodiscard]] bool project(const gp_Pnt& point, double& u, double& v);
   [[nodiscard]] bool is_inside(double u, double v);
-  [[nodiscard]] double distance_of_rim(const gp_Pnt& point, double at_most) const;
+
+  struct rim_finding {
+    double distance = 0;   ///< mm
+    double curvature = 0;  ///< 1/mm
+  };
+  [[nodiscard]] rim_finding nearest_rim(const gp_Pnt& point, double at_most) const;
 
   TopoDS_Face face_;
   double rim_slack_ = 0;

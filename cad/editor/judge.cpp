@@ -26,6 +26,8 @@ using triangle = std::array<gp_Pnt, 3>;
 /// A vertex may be beyond its face's rim by so many times what it may be off a surface. Where it is
 /// off the face that begins at that rim, the check against that one tells.
 constexpr double rim_share = 10;
+/// And where another face goes on there without a bend: its surface is on both.
+constexpr double seam_share = 100;
 
 /// An arc of this chord is at most so far from it, with room for what is not a circle.
 double sagitta(double chord, double curvature) {
@@ -260,6 +262,20 @@ private:
     return best;
   }
 
+  /// mm, off the model: of a vertex that is just beyond its face's rim, but still as near to the
+  /// face's surface as the model's edges are, where another face goes on without a bend.
+  [[nodiscard]] double off_smooth_seam(int id, const gp_Pnt& p) {
+    const double near = seam_share * tolerance_;
+    double off = near;
+    if (std::ranges::any_of(probes_of_[id], [&](std::size_t i) {
+          return probes_[i](p, near).distance < near &&
+                 probes_[i].distance_of_surface(p) <= std::max(tolerance_, probes_[i].vague());
+        }))
+      for (auto& face : probes_)
+        off = std::min(off, face(p, off).distance);
+    return off;
+  }
+
   void check_vertices() {
     const auto first_fresh = static_cast<std::int32_t>(mesh_.points.size() - mesh_.fresh);
     std::set<std::pair<std::int32_t, int>> seen;
@@ -274,7 +290,9 @@ private:
         const double at_most = 0.1 * step_.size_mm;
         // Most are on a face: far ones are looked for only where none is that near.
         const double near = nearest(t[3], p, 2 * tolerance_).distance;
-        const double far = near <= tolerance_ ? near : nearest(t[3], p, at_most).distance;
+        double far = near <= tolerance_ ? near : nearest(t[3], p, at_most).distance;
+        if (far > tolerance_ && off_smooth_seam(t[3], p) <= tolerance_)
+          far = off_smooth_seam(t[3], p);
         if (far > tolerance_) {
           result_.fault = "the mesh's vertex at " + place(p) + " on surface " +
                           std::to_string(t[3]) + " is " + (far < at_most ? "" : "more than ") +
@@ -286,6 +304,18 @@ private:
     }
   }
 
+  /// mm: how far corners of a triangle that were there before are off its faces, as the model's own
+  /// edges may be.
+  [[nodiscard]] double off_corners(std::size_t i) {
+    const auto first_fresh = static_cast<std::int32_t>(mesh_.points.size() - mesh_.fresh);
+    const double near = seam_share * tolerance_;
+    double off = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      if (mesh_.triangles[i][k] < first_fresh)
+        off = std::max(off, nearest(mesh_.triangles[i][3], corners(i)[k], near).distance);
+    return off < near ? off : 0;
+  }
+
   void check_triangles() {
     for (std::size_t i = 0; i < mesh_.triangles.size(); ++i) {
       if (mesh_.triangles[i][4] != triangle_made)
@@ -294,7 +324,7 @@ private:
       const double edge = longest_edge(t);
       const auto found = nearest(mesh_.triangles[i][3], middle_of(t), edge + tolerance_);
       const double allowed = tolerance_ + sagitta(edge, found.curvature);
-      if (found.distance > allowed) {
+      if (found.distance > allowed && found.distance > allowed + off_corners(i)) {
         result_.fault = "a triangle of surface " + std::to_string(mesh_.triangles[i][3]) + " at " +
                         place(middle_of(t)) + " is " + mm(found.distance) + " off its faces";
         return;
