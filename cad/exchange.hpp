@@ -17,13 +17,14 @@
 namespace tedit::cad {
 
 // Files of the folder.
-inline constexpr const char* shape_file = "part.brep";     ///< Solids in mm; the reader's.
-inline constexpr const char* facts_file = "part.json";     ///< `part_facts`; the reader's.
-inline constexpr const char* mesh_file = "part.mesh";      ///< `mesh_header`; the mesher's.
-inline constexpr const char* report_file = "mesh.json";    ///< `mesh_report`; the mesher's.
-inline constexpr const char* log_file = "messages.txt";    ///< What libraries print.
-inline constexpr const char* plain_file = "without.step";  ///< The part without annotations.
-inline constexpr const char* step_output = "out.step";     ///< The writer's.
+inline constexpr const char* shape_file = "part.brep";         ///< Solids in mm; the reader's.
+inline constexpr const char* facts_file = "part.json";         ///< `part_facts`; the reader's.
+inline constexpr const char* geometry_file = "part.geometry";  ///< `save_geometries`; the reader's.
+inline constexpr const char* mesh_file = "part.mesh";          ///< `mesh_header`; the mesher's.
+inline constexpr const char* report_file = "mesh.json";        ///< `mesh_report`; the mesher's.
+inline constexpr const char* log_file = "messages.txt";        ///< What libraries print.
+inline constexpr const char* plain_file = "without.step";      ///< The part without annotations.
+inline constexpr const char* step_output = "out.step";         ///< The writer's.
 
 /// How the layer of a face begins that says its surfaces in the mesh: "tedit surface 12, 13".
 inline constexpr std::string_view layer_of_surfaces = "tedit surface ";

@@ -11,6 +11,7 @@
 #include "base/short_number.hpp"
 #include "base/stopwatch.hpp"
 #include "cad/file_kind.hpp"
+#include "cad/geometry_file.hpp"
 #include "cad/mesh_file.hpp"
 #include "cad/private_folder.hpp"
 #include "cad/reading.hpp"
@@ -161,7 +162,9 @@ expected<void> mesh_part(const import_request& request, const fs::path& folder, 
   if (!end.done)
     return fail(about_mesher(end, part.model.facts, folder));
   run.report(0.9, "building the mesh");
-  return take_mesh(folder, part);
+  const auto geometries = load_geometries(folder);
+  return geometries ? take_mesh(folder, part, *geometries)
+                    : expected<void>(fail(geometries.error()));
 }
 
 /// The CAD file as it comes from the reader, in the folder.

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstring>
 #include <iterator>
-#include <set>
+#include <map>
 #include <span>
 
 #include "mesh/build_version.hpp"
@@ -42,7 +42,29 @@ surface_id surface_at(const part_facts& facts, int place) {
   return is_known ? facts.faces[static_cast<std::size_t>(place) - 1].ids.front() : place;
 }
 
-expected<raw_mesh> load_mesh(const fs::path& folder, const part_facts& facts) {
+/// A surface may be several faces: it is called as the first that has a name, and has a geometry
+/// where all have the same.
+std::vector<surface_info> surfaces_of(const part_facts& facts,
+                                      const std::vector<surface_geometry>& geometries) {
+  std::map<surface_id, surface_info> rows;
+  for (std::size_t i = 0; i < facts.faces.size(); ++i) {
+    const auto id = surface_at(facts, static_cast<int>(i) + 1);
+    const auto geometry = i < geometries.size() ? geometries[i] : surface_geometry{};
+    const auto [row, is_first] =
+      rows.try_emplace(id, surface_info{id, facts.faces[i].name, geometry});
+    if (row->second.name.empty())
+      row->second.name = facts.faces[i].name;
+    if (!is_first && row->second.geometry != geometry)
+      row->second.geometry = {};
+  }
+  std::vector<surface_info> result;
+  for (auto& [id, row] : rows)
+    result.push_back(std::move(row));
+  return result;
+}
+
+expected<raw_mesh> load_mesh(const fs::path& folder, const part_facts& facts,
+                             const std::vector<surface_geometry>& geometries) {
   const auto bytes = read_file(folder / mesh_file);
   if (!bytes)
     return fail(bytes.error());
@@ -63,12 +85,7 @@ expected<raw_mesh> load_mesh(const fs::path& folder, const part_facts& facts) {
     raw.tets.push_back({{corner(t[0]), corner(t[1]), corner(t[2]), corner(t[3])}});
     raw.tet_regions.push_back(t[4]);
   }
-  std::set<surface_id> named;  // A surface may be several faces.
-  for (std::size_t i = 0; i < facts.faces.size(); ++i)
-    if (!facts.faces[i].name.empty() &&
-        named.insert(surface_at(facts, static_cast<int>(i) + 1)).second)
-      raw.surface_names.push_back(
-        {surface_at(facts, static_cast<int>(i) + 1), facts.faces[i].name});
+  raw.surface_names = surfaces_of(facts, geometries);
   for (std::size_t i = 0; i < facts.solids.size(); ++i)
     raw.region_names.push_back({static_cast<region_id>(i + 1), facts.solids[i].name});
   return raw;
@@ -86,9 +103,10 @@ std::string sentence_on_gone(const std::vector<int>& gone) {
 
 }  // namespace
 
-expected<void> take_mesh(const fs::path& folder, imported_part& part) {
+expected<void> take_mesh(const fs::path& folder, imported_part& part,
+                         const std::vector<surface_geometry>& geometries) {
   auto report = load_report(folder);
-  auto raw = load_mesh(folder, part.model.facts);
+  auto raw = load_mesh(folder, part.model.facts, geometries);
   if (!report || !raw)
     return fail(report ? raw.error() : report.error());
   constexpr double millimetre = 1e-3;

@@ -7,10 +7,19 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/command.hpp"
+#include "mesh/features/known_wall.hpp"
 
 namespace tedit::cli {
 
 namespace {
+
+/// Of few corners a sphere or a torus is told by the CAD model alone: many shapes go through them.
+std::optional<exact_wall> shape_of(const mesh_version& mesh, const std::vector<facet_id>& facets) {
+  if (const auto simple = fit_wall(mesh, facets, {.cones = true}))
+    return exact_wall{*simple};
+  auto round = find_exact(mesh, facets);
+  return round && (round->sphere_radius > 0 || round->tube_radius > 0) ? round : std::nullopt;
+}
 
 void add_surfaces(const mesh_version& mesh, mesh_report& report) {
   std::map<surface_id, mesh_report::surface_row> rows;
@@ -33,27 +42,38 @@ void add_surfaces(const mesh_version& mesh, mesh_report& report) {
     row.area_m2 += norm(area_vector(mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2])));
   }
   for (const auto& [id, mine] : facets)
-    rows[id].shape = fit_wall(mesh, mine, {.cones = true});
+    rows[id].shape = shape_of(mesh, mine);
   for (auto& [id, row] : rows)
     report.surfaces.push_back(std::move(row));
 }
 
+const char* kind_words(const exact_wall& wall) {
+  if (wall.sphere_radius > 0)
+    return "sphere";
+  if (wall.tube_radius > 0)
+    return "torus";
+  return wall.flat() ? "plane" : wall.shape.type == wall_shape::kind::cone ? "cone" : "cylinder";
+}
+
 /// The shape as JSON has it; see `shape_words` for people.
 void add_shape(const mesh_report::surface_row& row, nlohmann::ordered_json& item) {
-  using kind = wall_shape::kind;
   if (row.facets == 0)
     return;
   if (!row.shape) {
     item["shape"] = "free_form";
     return;
   }
-  item["shape"] = row.shape->type == kind::plane      ? "plane"
-                  : row.shape->type == kind::cylinder ? "cylinder"
-                                                      : "cone";
-  if (row.shape->type != kind::plane)
-    item["hollow"] = row.shape->side < 0;
-  if (row.shape->type == kind::cylinder)
-    item["diameter_m"] = 2 * row.shape->radius;
+  const auto& wall = *row.shape;
+  item["shape"] = kind_words(wall);
+  if (wall.flat())
+    return;
+  item["hollow"] = wall.shape.side < 0;
+  if (wall.sphere_radius > 0)
+    item["diameter_m"] = 2 * wall.sphere_radius;
+  else if (wall.tube_radius > 0)
+    item["tube_radius_m"] = wall.tube_radius;
+  else if (wall.shape.type == wall_shape::kind::cylinder)
+    item["diameter_m"] = 2 * wall.shape.radius;
 }
 
 void add_regions(const mesh_version& mesh, mesh_report& report) {
@@ -98,18 +118,21 @@ mesh_report make_mesh_report(const mesh_version& mesh) {
 }
 
 std::string shape_words(const mesh_report::surface_row& row) {
-  using kind = wall_shape::kind;
   if (row.facets == 0)
     return row.interface_facets > 0 ? "interface" : "nothing";
   if (!row.shape)
     return "free form";
-  if (row.shape->type == kind::plane)
-    return "plane";
-  const bool hollow = row.shape->side < 0;
-  if (row.shape->type == kind::cone)
-    return hollow ? "hollow cone" : "cone";
-  return (hollow ? "bore, diameter " : "round, diameter ") + pretty(2e3 * row.shape->radius) +
-         " mm";
+  const auto& wall = *row.shape;
+  const bool hollow = !wall.flat() && wall.shape.side < 0;
+  if (wall.shape.type == wall_shape::kind::cylinder)
+    return (hollow ? "bore, diameter " : "round, diameter ") + pretty(2e3 * wall.shape.radius) +
+           " mm";
+  auto words = (hollow ? "hollow " : "") + std::string(kind_words(wall));
+  if (wall.sphere_radius > 0)
+    words += ", diameter " + pretty(2e3 * wall.sphere_radius) + " mm";
+  if (wall.tube_radius > 0)
+    words += ", tube radius " + pretty(1e3 * wall.tube_radius) + " mm";
+  return words;
 }
 
 nlohmann::ordered_json to_json(const mesh_version& mesh, const mesh_report& report) {

@@ -7,7 +7,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "mesh/features/wall_shape.hpp"
+#include "mesh/features/exact_wall.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/version.hpp"
 
@@ -22,7 +22,7 @@ struct mesh_report {
     std::size_t interface_facets = 0;
     double area_m2 = 0;
     /// What its boundary facets lie on; nothing for free forms and interfaces.
-    std::optional<wall_shape> shape;
+    std::optional<exact_wall> shape;
   };
   struct region_row {
     region_id id = 0;
@@ -41,8 +41,8 @@ struct mesh_report {
 /// Cost: O(mesh).
 [[nodiscard]] mesh_report make_mesh_report(const mesh_version& mesh);
 
-/// For people: "plane", "bore, diameter 8 mm", "round, diameter 8 mm", "cone", "interface",
-/// "free form".
+/// For people: "plane", "bore, diameter 8 mm", "round, diameter 8 mm", "cone", "sphere, diameter
+/// 8 mm", "torus, tube radius 2 mm", "interface", "free form".
 [[nodiscard]] std::string shape_words(const mesh_report::surface_row& row);
 
 /// The JSON object of `tedit info`.

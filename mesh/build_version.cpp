@@ -448,14 +448,14 @@ private:
     for (const auto& f : interfaces_)
       surfaces.insert(f.surface);
     const std::set<region_id> regions(raw_.tet_regions.begin(), raw_.tet_regions.end());
-    const auto name_of = [](const auto& names, auto id) {
-      const auto row = std::ranges::find_if(names, [&](const auto& n) { return n.id == id; });
-      return row == names.end() ? std::string{} : row->name;
+    const auto row_of = []<class Row>(const std::vector<Row>& rows, auto id) {
+      const auto row = std::ranges::find(rows, id, &Row::id);
+      return row == rows.end() ? Row{.id = id, .name = {}} : *row;
     };
     for (const auto id : surfaces)
-      data.surfaces.push_back({id, name_of(raw_.surface_names, id)});
+      data.surfaces.push_back(row_of(raw_.surface_names, id));
     for (const auto id : regions)
-      data.regions.push_back({id, name_of(raw_.region_names, id)});
+      data.regions.push_back(row_of(raw_.region_names, id));
   }
 
   raw_mesh raw_;

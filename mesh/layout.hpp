@@ -81,7 +81,7 @@ layout_fact last(const char* type, Enum value) {
 /// A version of one surface and one region, no tets.
 inline version_ptr small_version() {
   mesh_data data;
-  data.surfaces = {{1, "a"}};
+  data.surfaces = {{1, "a", {surface_geometry::kind::sphere, {1, 2, 3}, {}, 4}}};
   data.regions = {{2, "b"}};
   return mesh_version::create(std::move(data));
 }
@@ -100,8 +100,15 @@ inline void add_mesh(std::vector<layout_fact>& facts) {
   facts.push_back(of("manifest row", arrays[0], arrays[0].size, arrays[0].pages));
   facts.push_back(of("paged_array", d.positions, d.positions.pages()));
   facts.push_back({"page", sizeof(page), max_page_bytes});
-  const auto& [surface, surface_name] = d.surfaces[0];
-  facts.push_back(of("surface_info", d.surfaces[0], surface, surface_name));
+  const auto& [surface, surface_name, geometry] = d.surfaces[0];
+  facts.push_back(of("surface_info", d.surfaces[0], surface, surface_name, geometry));
+  const auto& [type, point, axis, radius, slope, tube, tolerance, spline] = geometry;
+  facts.push_back(
+    of("surface_geometry", geometry, type, point, axis, radius, slope, tube, tolerance, spline));
+  facts.push_back(last("kind of surface_geometry", surface_geometry::kind::spline));
+  const spline_surface free_form;
+  const auto& [degree, knots, poles, weights] = free_form;
+  facts.push_back(of("spline_surface", free_form, degree, knots, poles, weights));
   const auto& [region, region_name] = d.regions[0];
   facts.push_back(of("region_info", d.regions[0], region, region_name));
   const facet_page kept;

@@ -23,7 +23,7 @@ struct raw_mesh {
   std::vector<tet> tets;
   std::vector<region_id> tet_regions;  ///< One for each tet.
   std::vector<triangle> triangles;
-  std::vector<surface_info> surface_names;
+  std::vector<surface_info> surface_names;  ///< And geometries, in metres whatever the unit is.
   std::vector<region_info> region_names;
   /// File numbers for messages; empty means index + 1.
   std::vector<std::uint64_t> node_numbers;

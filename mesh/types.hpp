@@ -2,9 +2,14 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <string>
+
+#include "mesh/spline_surface.hpp"
+#include "mesh/vec3.hpp"
 
 namespace tedit {
 
@@ -63,10 +68,43 @@ struct interface_facet {
 };
 static_assert(sizeof(interface_facet) == 24);
 
+/// The exact shape that a CAD model has behind a surface. Facets tell less: two rows of corners may
+/// be those of a cone or of a fillet.
+struct surface_geometry {
+  enum class kind : std::uint8_t { none, plane, cylinder, cone, sphere, torus, spline };
+
+  kind type = kind::none;
+  vec3 point;         ///< m: on the plane or the axis; the centre of a sphere or torus.
+  vec3 axis;          ///< Unit: the plane's normal, or the direction of the axis; of no sphere.
+  double radius = 0;  ///< m; of a cone at `point`, of a torus' ring.
+  double slope = 0;   ///< By how much a cone's radius grows along the axis, m per m.
+  double tube_radius = 0;  ///< m; of a torus.
+  double tolerance = 0;    ///< m: so far may edges of the CAD model be off it.
+  std::shared_ptr<const spline_surface> spline = nullptr;  ///< Of free form.
+
+  friend bool operator==(const surface_geometry& a, const surface_geometry& b) {
+    return a.type == b.type && a.point == b.point && a.axis == b.axis && a.radius == b.radius &&
+           a.slope == b.slope && a.tube_radius == b.tube_radius && a.tolerance == b.tolerance &&
+           (a.spline == b.spline || (a.spline && b.spline && *a.spline == *b.spline));
+  }
+};
+
+/// Is it of a known kind, and each number finite? For what comes from outside.
+[[nodiscard]] inline bool is_possible(const surface_geometry& g) {
+  using kind = surface_geometry::kind;
+  if (g.type > kind::spline || (g.type == kind::spline) != (g.spline != nullptr))
+    return false;
+  return is_finite(g.point) && is_finite(g.axis) && std::isfinite(g.radius) &&
+         std::isfinite(g.slope) && std::isfinite(g.tube_radius) && std::isfinite(g.tolerance) &&
+         (!g.spline || is_possible(*g.spline));
+}
+
 /// A named set of boundary facets: what a person picks.
 struct surface_info {
   surface_id id = 0;
   std::string name;
+  /// As it was imported. An edit may have moved the facets since: see mesh/features/known_wall.hpp.
+  surface_geometry geometry = {};
 
   friend bool operator==(const surface_info&, const surface_info&) = default;
 };

@@ -55,7 +55,8 @@ struct manifest {
   std::vector<region_info> regions;
   std::array<std::uint32_t, 6> counts{};  ///< The six numbers at the end of `mesh_data`.
 
-  /// A canonical byte string; `hash_bytes` of it is the version's id.
+  /// A canonical byte string; `hash_bytes` of it is the version's id. Where surfaces have a
+  /// geometry its tag is another, and these stand at the end.
   [[nodiscard]] std::vector<std::byte> to_bytes() const;
 
   /// The inverse of `to_bytes`. Bounded: sizes are checked against the bytes that are there.

@@ -13,7 +13,7 @@ WIRE = ("compare/comparison.hpp", "edit/report.hpp", "fem/load_case.hpp", "fem/q
 CLIENT_QT_BELOW = ("client-qt/net", "client", "protocol", *WIRE)
 
 # Their headers have no folder.
-OPENCASCADE = ("BRep", "GProp_", "IGES", "Interface_", "NCollection_", "Quantity_", "STEP", "Standard_", "Step", "TColStd_", "TCollection_",
+OPENCASCADE = ("BRep", "GProp_", "Geom", "IGES", "Interface_", "NCollection_", "Quantity_", "STEP", "Standard_", "Step", "TColStd_", "TCollection_",
                "TDF_", "TDataStd_", "TDocStd_", "TopExp", "TopLoc_", "TopTools_", "TopoDS", "Transfer", "XCAF", "XSControl_")
 
 # room: (other rooms or single headers of theirs, third-party prefixes). The longest room that is a prefix of a path
@@ -64,7 +64,7 @@ ROOMS = {
     "edit": (("ops/loader", "ops/services", "ops/sdk", "fem", "mesh", "base"), ()),
     "cad": (("edit", "ops/combine", "ops/emboss/emboss.hpp", "ops/loader", "ops/pattern/pattern.hpp", "ops/rib/rib.hpp", "ops/sdk", "ops/services", "ops/shapes/features", "ops/shapes/outlines", "ops/shapes/walls/carried_surfaces.hpp", "ops/sweep/sweep_along.hpp", "ops/tools", "mesh/features", "mesh/io", "mesh", "base"), ("nlohmann/",)),
     "cad/teller.cpp": (("cad", "sandbox", "base"), ()),
-    "cad/reader": (("cad", "base"), OPENCASCADE),
+    "cad/reader": (("cad", "mesh/spline_surface.hpp", "mesh/types.hpp", "base"), OPENCASCADE),
     "cad/editor": (("cad", "mesh", "base"), OPENCASCADE),
     "cad/writer": (("cad", "base"), OPENCASCADE),
     "cad/mesher": (("cad", "mesh", "base"), ("gmsh.h",)),

@@ -11,6 +11,7 @@
 
 #include "cad/exchange.hpp"
 #include "cad/teller.hpp"
+#include "mesh/types.hpp"
 
 namespace tedit::cad {
 
@@ -55,6 +56,7 @@ void sew_loose_faces(cad_content& content, const teller& tells);
 struct joined_part {
   TopoDS_Shape shape;
   part_facts facts;
+  std::vector<surface_geometry> geometries;  ///< Of each face.
 };
 [[nodiscard]] joined_part join_solids(const cad_content& content, const teller& tells);
 

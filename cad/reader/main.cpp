@@ -11,6 +11,7 @@
 #include <Standard_Failure.hxx>
 
 #include "cad/annotations.hpp"
+#include "cad/geometry_file.hpp"
 #include "cad/reader/content.hpp"
 #include "cad/reader/text_faults.hpp"
 #include "cad/reading.hpp"
@@ -61,7 +62,8 @@ void convert(const wanted& what, const teller& tells) {
   const auto part = join_solids(content, tells);
   tells.stage(0.9, "writing the shape");
   const auto shape = (what.call.folder / shape_file).string();
-  if (!BRepTools::Write(part.shape, shape.c_str()) || !save_facts(part.facts, what.call.folder))
+  if (!BRepTools::Write(part.shape, shape.c_str()) || !save_facts(part.facts, what.call.folder) ||
+      !save_geometries(part.geometries, what.call.folder))
     tells.refuse({ec::io_error,
                   "the shape that was read cannot be written",
                   "Make room on the disk of the temporary folder ($TMPDIR)",

@@ -22,6 +22,7 @@
 #include <TopoDS_Compound.hxx>
 
 #include "cad/reader/content.hpp"
+#include "cad/reader/face_geometry.hpp"
 
 namespace tedit::cad {
 
@@ -66,6 +67,9 @@ TopTools_ListOfShape images_of(BRepAlgoAPI_BuilderAlgo& joined, const TopoDS_Sha
   return images;
 }
 
+/// Of all free form of a part: every version lists them, some 30 bytes each.
+constexpr std::size_t most_poles = 40'000;
+
 /// Faces and solids with what is known of them, one entry each.
 class fact_table {
 public:
@@ -107,11 +111,16 @@ public:
     part.shape = all;
     TopTools_IndexedMapOfShape faces;
     TopExp::MapShapes(all, TopAbs_FACE, faces);
+    std::size_t poles = 0;
     for (Standard_Integer i = 1; i <= faces.Extent(); ++i) {
       const auto* known = faces_.Seek(faces(i));
       auto facts = known ? *known : face_facts{};
       facts.area_mm2 = area_of(faces(i));
       part.facts.faces.push_back(std::move(facts));
+      auto geometry = geometry_of(TopoDS::Face(faces(i)));
+      if (geometry.spline && (poles += geometry.spline->poles.size()) > most_poles)
+        geometry = {};
+      part.geometries.push_back(std::move(geometry));
     }
     number_faces(part.facts.faces);
     TopTools_IndexedMapOfShape solids;

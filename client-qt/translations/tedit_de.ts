@@ -10637,6 +10637,10 @@
         <source>the face between two regions leaves surface %1 no way at %2</source>
         <translation>die Fläche zwischen zwei Bereichen lässt Fläche %1 bei %2 keinen Weg</translation>
     </message>
+    <message>
+        <source>what the reader wrote of the faces&apos; geometry is damaged</source>
+        <translation>was das Leseprogramm über die Geometrie der Flächen schrieb, ist beschädigt</translation>
+    </message>
 </context>
 <context>
     <name>server_lists</name>

@@ -21,7 +21,7 @@ constexpr double on_wall_share = 1e-4;
 const std::optional<exact_wall>& wall_places::wall_of(surface_id id) {
   const auto [row, fresh] = walls_.try_emplace(id);
   if (fresh)
-    row->second = fit_exact(corners_of(mesh_, facets_of(mesh_, std::array{id})));
+    row->second = find_exact(mesh_, facets_of(mesh_, std::array{id}));
   if (fresh && row->second && !row->second->flat() && is_round_ && !is_round_(id))
     row->second.reset();
   return row->second;

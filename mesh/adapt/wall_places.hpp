@@ -7,7 +7,7 @@
 #include <span>
 
 #include "mesh/adapt/adapt_mesh.hpp"
-#include "mesh/features/exact_wall.hpp"
+#include "mesh/features/known_wall.hpp"
 
 namespace tedit {
 

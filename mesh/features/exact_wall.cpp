@@ -26,6 +26,8 @@ constexpr double few_roundness = 1e-6;
 /// radius.
 constexpr double widest_edge = 1.1;
 
+/// Of a cone's radius: how round its tip is taken to be.
+constexpr double tip_share = 1e-3;
 constexpr double degree = std::numbers::pi / 180;
 /// Gaps between corners around an axis, where some of the way around is not of the wall, and where
 /// all of it is.
@@ -146,17 +148,6 @@ std::optional<exact_wall> torus_of(const facet_corners& cloud) {
   return result;
 }
 
-/// The side on which most of the triangles have the material.
-void turn_outward(const facet_corners& cloud, exact_wall& wall) {
-  double outward = 0;
-  for (const auto& t : cloud.triangles) {
-    const std::array p{cloud.points[t[0]], cloud.points[t[1]], cloud.points[t[2]]};
-    outward += dot(cross(p[1] - p[0], p[2] - p[0]), wall.normal((p[0] + p[1] + p[2]) / 3));
-  }
-  if (outward < 0)
-    wall.shape.side = -wall.shape.side;
-}
-
 /// From the middle of a torus' tube to p.
 vec3 from_tube(const wall_shape& ring, vec3 p) {
   const vec3 d = p - ring.point;
@@ -208,6 +199,10 @@ std::vector<wall_demand> without_smooth(const std::vector<wall_demand>& all, vec
 }  // namespace
 
 double exact_wall::distance(vec3 p) const {
+  if (spline) {
+    const auto foot = (*spline)(p);
+    return shape.side * dot(p - foot.at, foot.normal);
+  }
   if (tube_radius > 0)
     return shape.side * (norm(from_tube(shape, p)) - tube_radius);
   return sphere_radius > 0 ? shape.side * (norm(p - shape.point) - sphere_radius)
@@ -215,16 +210,22 @@ double exact_wall::distance(vec3 p) const {
 }
 
 vec3 exact_wall::normal(vec3 p) const {
+  if (spline)
+    return shape.side * (*spline)(p).normal;
   if (tube_radius > 0)
     return shape.side * normalized(from_tube(shape, p));
   return sphere_radius > 0 ? shape.side * normalized(p - shape.point) : shape.normal(p);
 }
 
 double exact_wall::radius_at(vec3 p) const {
+  if (spline)
+    return spline->least_radius();
   if (sphere_radius > 0 || tube_radius > 0)
     return sphere_radius + tube_radius;
-  return flat() ? std::numeric_limits<double>::infinity()
-                : shape.radius + shape.slope * dot(p - shape.point, shape.axis);
+  if (flat())
+    return std::numeric_limits<double>::infinity();
+  return std::max(shape.radius + shape.slope * dot(p - shape.point, shape.axis),
+                  tip_share * shape.radius);
 }
 
 std::optional<exact_wall> fit_exact(const facet_corners& wall) {
@@ -243,8 +244,22 @@ std::optional<exact_wall> fit_exact(const facet_corners& wall) {
   return round;
 }
 
+void turn_outward(const facet_corners& facets, exact_wall& wall) {
+  double outward = 0;
+  for (const auto& t : facets.triangles) {
+    const std::array p{facets.points[t[0]], facets.points[t[1]], facets.points[t[2]]};
+    outward += dot(cross(p[1] - p[0], p[2] - p[0]), wall.normal((p[0] + p[1] + p[2]) / 3));
+  }
+  if (outward >= 0)
+    return;
+  if (wall.flat())
+    wall.shape.axis = -wall.shape.axis;
+  else
+    wall.shape.side = -wall.shape.side;
+}
+
 bool has_round_corners(const exact_wall& wall, std::span<const vec3> points) {
-  if (wall.sphere_radius > 0)
+  if (wall.sphere_radius > 0 || wall.is_known)
     return true;
   const auto [first, second] = gaps_around(wall.shape, points);
   return first < widest_gap ? first <= widest_closed_gap : second <= widest_gap;
@@ -285,7 +300,11 @@ wall_place place_on_walls(const std::vector<wall_demand>& all, vec3 start) {
     result.found = true;
     return result;
   }
-  result.found = std::isfinite(radius) && result.before <= touching * radius;
+  double near = touching * radius;
+  for (const auto& d : demands)
+    if (d.wall)
+      near = std::max(near, d.wall->vague);
+  result.found = std::isfinite(radius) && result.before <= near;
   vec3 p = start;
   for (int i = 0; i < most_wall_steps; ++i) {
     const vec3 step = step_at(demands, p);
@@ -295,7 +314,7 @@ wall_place place_on_walls(const std::vector<wall_demand>& all, vec3 start) {
     const double off = worst_of(demands, p);
     if (off > rounding * radius && norm(step) > rounding * radius && i + 1 < most_wall_steps)
       continue;
-    if (off > touching * radius || (result.found && off > result.before))
+    if (off > near || (result.found && off > result.before))
       return result;
     result.at = p;
     result.after = off;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -9,15 +10,21 @@
 
 namespace tedit {
 
-/// The exact surface behind a wall: a plane, a cylinder, a cone, a sphere or a torus.
+/// The exact surface behind a wall: a plane, a cylinder, a cone, a sphere or a torus; where a CAD
+/// model has it, free form, too.
 struct exact_wall {
-  /// Of a sphere centre (as point) and side, of a torus axis and radius, too.
+  /// Of a sphere centre (as point) and side, of a torus axis and radius, too; of free form the
+  /// side.
   wall_shape shape;
-  double sphere_radius = 0;  ///< m; 0: no sphere.
-  double tube_radius = 0;    ///< m; 0: no torus.
+  double sphere_radius = 0;                                   ///< m; 0: no sphere.
+  double tube_radius = 0;                                     ///< m; 0: no torus.
+  std::shared_ptr<const spline_projection> spline = nullptr;  ///< Of free form alone.
+  double vague = 0;       ///< m: so far may edges of the CAD model be off it.
+  bool is_known = false;  ///< By the CAD model: however few corners there are, it is no guess.
 
   [[nodiscard]] bool flat() const {
-    return sphere_radius == 0 && tube_radius == 0 && shape.type == wall_shape::kind::plane;
+    return sphere_radius == 0 && tube_radius == 0 && !spline &&
+           shape.type == wall_shape::kind::plane;
   }
   /// Signed, m: positive off the material.
   [[nodiscard]] double distance(vec3 p) const;
@@ -25,7 +32,9 @@ struct exact_wall {
   [[nodiscard]] vec3 normal(vec3 p) const;
   /// The nearest point of the wall.
   [[nodiscard]] vec3 project(vec3 p) const { return p - distance(p) * normal(p); }
-  /// m: of the wall's circle at p, the narrower one of a torus; that of a plane is infinite.
+  /// m: of the wall's circle at p, the narrower one of a torus; that of a plane is infinite, of
+  /// free form the least anywhere, and at a cone's tip it is small, but not none: what is near is
+  /// told by shares of it.
   [[nodiscard]] double radius_at(vec3 p) const;
 };
 
@@ -33,8 +42,11 @@ struct exact_wall {
 /// of some triangle. Cost: O(triangles).
 [[nodiscard]] std::optional<exact_wall> fit_exact(const facet_corners& wall);
 
+/// Gives the wall the side on which most of the triangles have the material. Cost: O(triangles).
+void turn_outward(const facet_corners& facets, exact_wall& wall);
+
 /// Are the corners of a part's wall as many as those of a round one? Those of a hexagon lie on a
-/// cylinder, too. Cost: O(points log points).
+/// cylinder, too, unless the CAD model says which it is. Cost: O(points log points).
 [[nodiscard]] bool has_round_corners(const exact_wall& wall, std::span<const vec3> points);
 
 /// How wide the gaps between corners around a cylinder's or cone's axis are, rad: the two widest,

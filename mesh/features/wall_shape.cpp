@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "mesh/features/known_wall.hpp"
 #include "mesh/features/round_fit.hpp"
 
 namespace tedit {
@@ -187,6 +188,19 @@ std::optional<wall_shape> fit_cone(const cloud& points, const fit_limits& limits
   return is_near(shape, points, limits.roundness) ? std::optional(shape) : std::nullopt;
 }
 
+/// Nothing for what is none of these, or where a corner is further off than may be.
+std::optional<wall_shape> as_shape(const exact_wall& known, const facet_corners& corners,
+                                   const fit_limits& limits) {
+  const auto& shape = known.shape;
+  if (known.sphere_radius > 0 || known.tube_radius > 0 ||
+      (shape.type == wall_shape::kind::cone && !limits.cones))
+    return std::nullopt;
+  const bool is_near = known.flat() || std::ranges::all_of(corners.points, [&](vec3 p) {
+                         return std::abs(shape.distance(p)) <= limits.roundness * shape.radius;
+                       });
+  return is_near ? std::optional(shape) : std::nullopt;
+}
+
 }  // namespace
 
 void refine_round_wall(std::span<const vec3> points, double size, wall_shape& shape) {
@@ -276,8 +290,10 @@ std::optional<wall_shape> fit_wall(std::span<const vec3> points,
 
 std::optional<wall_shape> fit_wall(const mesh_version& mesh, std::span<const facet_id> facets,
                                    const fit_limits& limits) {
-  const auto [points, triangles] = corners_of(mesh, facets);
-  return fit_wall(points, triangles, limits);
+  const auto corners = corners_of(mesh, facets);
+  if (const auto known = known_wall(mesh, facets, corners); known && !known->spline)
+    return as_shape(*known, corners, limits);
+  return fit_wall(corners.points, corners.triangles, limits);
 }
 
 }  // namespace tedit

@@ -44,7 +44,8 @@ struct fit_limits {
 inline constexpr fit_limits round_enough{3e-3, true, true};
 
 /// Fits a plane (within 1e-6 of the surface's size) or a cylinder (within 1e-4 of its radius), with
-/// `cones` also a cone, to all corners of the facets. Nothing for any other shape. Cost: O(facets).
+/// `cones` also a cone, to all corners of the facets; where the CAD model says what the wall is,
+/// and it holds (mesh/features/known_wall.hpp), that. Nothing for any other shape. Cost: O(facets).
 [[nodiscard]] std::optional<wall_shape> fit_wall(const mesh_version& mesh,
                                                  std::span<const facet_id> facets,
                                                  const fit_limits& limits = {});

@@ -13,6 +13,7 @@
 #include "mesh/pieces.hpp"
 #include "mesh/quality.hpp"
 #include "ops/boolean/bonded.hpp"
+#include "ops/boolean/cut_volumes.hpp"
 #include "ops/boolean/flush.hpp"
 #include "ops/boolean/put_on_walls.hpp"
 #include "ops/boolean/remesh.hpp"
@@ -33,10 +34,8 @@ constexpr double flush_layer = 0.15;
 /// `cavity_finder` asks for.
 constexpr double near_share = 0.06;
 
-/// What lies between the chords and the arcs of a coarse part's round walls may be as much as a
-/// small edit: of that, no more than this share is put on with new vertices.
-constexpr double most_put_on = 0.05;
-/// Where chords are halved for it that is told, and may be more.
+/// What a part may gain or lose as chords beside the tool are halved, as a share of what the tool
+/// does; where the CAD model has the walls, any: their arcs are no guess.
 constexpr double most_by_walls = 0.5;
 
 /// Tools of more triangles are tried twice only, fillings of more tets are not mended besides.
@@ -52,7 +51,7 @@ public:
   tool_boolean(const version_ptr& mesh, const tool_surface& tool,
                const std::vector<std::optional<surface_id>>& continues,
                const boolean_request& request, const execution& run)
-      : tool_boolean(mesh, {mesh, {}}, tool, continues, request, run) {}
+      : tool_boolean(mesh, {mesh, false, {}}, tool, continues, request, run) {}
 
   /// On the part made rounder: what comes out is compared with the part as it was.
   tool_boolean(const version_ptr& part, rounder_part rounder, const tool_surface& tool,
@@ -99,6 +98,7 @@ public:
       if (!best || is_better(*made, *best)) {
         best = std::move(*made);
         on_chords_ = last_on_chords_;
+        put_on_ = last_put_on_;
       }
       // Once it is good only ways that stay where they should may be better.
       if (is_good(*best) && (is_exact(best->deviation) || i + 1 == tries ||
@@ -128,6 +128,8 @@ public:
 
   /// Are new vertices of what came out last on chords of round walls instead of on the walls?
   [[nodiscard]] bool on_chords() const { return on_chords_; }
+  /// m^3: of its change of volume, what came of new vertices on their walls.
+  [[nodiscard]] double put_on() const { return put_on_; }
 
   /// The part with shorter chords where the tool is. None, or an error, where that is no help.
   expected<rounder_part> part_with_shorter_chords() {
@@ -159,12 +161,6 @@ public:
   }
 
 private:
-  /// The part taken apart where the tool is: what goes, and what the exact boolean makes of it.
-  struct cut_cavity {
-    cavity hollow;
-    corefined cut;
-  };
-
   /// m: how far anything may go that is to stay on its walls.
   [[nodiscard]] double off_walls() const {
     return std::min(exact_of_size * size_, exact_of_part * part_size_);
@@ -219,10 +215,11 @@ private:
     auto cut = hollow->tets.empty() ? expected<corefined>(corefined{}) : cut_of(*hollow, run);
     if (!cut)
       return fail(cut.error());
-    if (!hollow->tets.empty() && changes_nothing(*hollow, *cut))
+    cut_cavity opened{std::move(*hollow), std::move(*cut)};
+    if (!opened.hollow.tets.empty() && changes_nothing(*mesh_, flush_.tool, opened))
       return fail(ec::empty_selection, "the tool changes nothing of the part",
                   "Place it so that it cuts the part's surface");
-    return &cuts_.emplace(rings, cut_cavity{std::move(*hollow), std::move(*cut)}).first->second;
+    return &cuts_.emplace(rings, std::move(opened)).first->second;
   }
 
   [[nodiscard]] expected<labelled_surface> surface_of(const cut_cavity& of, int steps) const {
@@ -281,8 +278,11 @@ private:
   on_walls filled_on_walls(const cut_cavity& opened, const labelled_surface& surface,
                            double deviation, const execution& run) {
     const auto [round, wanted] = put_on_round_walls(surface, *walls_);
-    if (round && is_small(round->volume_change, opened))
+    last_put_on_ = 0;
+    if (round && may_put_on(round->volume_change, opened)) {
+      last_put_on_ = round->volume_change;
       return {wanted, filled(opened, round->surface, round->volume_change, deviation, run)};
+    }
     if (!wanted)
       return {wanted, filled(opened, surface, 0, deviation, run)};
     return {wanted, std::nullopt};
@@ -304,12 +304,13 @@ private:
     if (round)
       surface = std::move(round->surface);
     const double put_on = surface.mesh.volume() - before;
-    if ((wanted && !round) || !is_small(put_on, opened))
+    if ((wanted && !round) || !may_put_on(put_on, opened))
       return std::nullopt;
     auto made = filled(opened, surface, put_on, *deviation, run);
     if (!made || !is_good(*made))
       return std::nullopt;
     last_on_chords_ = false;
+    last_put_on_ = put_on;
     return std::move(*made);
   }
 
@@ -331,6 +332,7 @@ private:
     if (made && *made && (!plain || !is_better(*plain, **made)))
       return std::move(*made);
     last_on_chords_ = round.wanted || no_good_on_walls_;
+    last_put_on_ = 0;
     return plain;
   }
 
@@ -370,7 +372,7 @@ private:
     }
     result.deviation = deviation;
     name_surfaces(result, std::move(made->surfaces));
-    if (auto ok = volume_fits(opened, put_on, result); !ok)
+    if (auto ok = volume_fits(*mesh_, size_, opened, put_on, result); !ok)
       return fail(ok.error());
     return result;
   }
@@ -385,41 +387,12 @@ private:
     return result;
   }
 
-  [[nodiscard]] bool changes_nothing(const cavity& hollow, const corefined& cut) const {
-    // Points that were put on shared planes have moved by less than this share of the tool amounts
-    // to, or of the part where the tool is a half-space. The part is measured last: it may be
-    // large.
-    const double change = std::abs(cut.volume_change);
-    return hollow.gone.empty() &&
-           change <= 1e-6 * enclosed_volume(flush_.tool.points, flush_.tool.triangles) &&
-           change <= 1e-9 * total_volume(*mesh_);
-  }
-
-  /// Is that volume (m^3) little beside what is cut or added? Of a `keep`, what is kept is no more
-  /// than the tool.
-  [[nodiscard]] bool is_small(double volume, const cut_cavity& opened) const {
-    const double edit = std::min(std::abs(wanted_change(opened)),
-                                 enclosed_volume(flush_.tool.points, flush_.tool.triangles));
-    return std::abs(volume) <= most_put_on * edit;
-  }
-
-  /// By how much the exact boolean changes the part's volume, m^3.
-  [[nodiscard]] double wanted_change(const cut_cavity& opened) const {
-    double change = opened.cut.volume_change;
-    for (const auto t : opened.hollow.gone)
-      change -= signed_volume(mesh_->corners(t));
-    return change;
-  }
-
-  /// The tets' volume is that of the exact boolean, but for what may be off.
-  expected<void> volume_fits(const cut_cavity& opened, double put_on,
-                             const boolean_result& result) const {
-    const double wanted =
-      opened.hollow.tets.empty() ? result.volume_change : wanted_change(opened) + put_on;
-    const double off = std::abs(result.volume_change - wanted);
-    if (off > 1e-3 * std::abs(wanted) + 0.01 * size_ * size_ * size_)
-      return fail(ec::mesher_failed, "the volume that came out is not that of the tool");
-    return {};
+  /// May new vertices on their walls change the part by that volume, m^3? Where the CAD model has
+  /// all round walls there, by any: it is no guess that they are the part.
+  [[nodiscard]] bool may_put_on(double volume, const cut_cavity& opened) {
+    if (!are_walls_known_)
+      are_walls_known_ = walls_->are_known(near_);
+    return *are_walls_known_ || is_small(volume, *mesh_, flush_.tool, opened);
   }
 
   const version_ptr part_;
@@ -436,6 +409,9 @@ private:
   bool no_good_on_walls_ = false;  ///< No good tets came out of it.
   bool last_on_chords_ = false;    ///< Of the last try: see `on_chords`.
   bool on_chords_ = false;
+  double last_put_on_ = 0;  ///< Of the last try: see `put_on`.
+  double put_on_ = 0;
+  std::optional<bool> are_walls_known_;
   std::map<int, cut_cavity> cuts_;  ///< By rings.
 };
 
@@ -448,6 +424,7 @@ std::optional<combined> made_on_rounder_part(
   auto rounder = first.part_with_shorter_chords();
   if (!rounder || !rounder->mesh)
     return std::nullopt;
+  const bool is_guess = !rounder->is_known;
   tool_boolean second(mesh, std::move(*rounder), tool, continues, request, run);
   auto made = second.best();
   if (!made)
@@ -463,9 +440,9 @@ std::optional<combined> made_on_rounder_part(
   made->worst_before = worst_quality_before(*mesh, *made->candidate, made->touched);
   made->worst_after = worst_quality(*made->candidate, made->touched);
   const double by_walls = made->volume_change - by_tool;
-  if (std::abs(by_walls) > most_by_walls * std::abs(by_tool))
+  if (is_guess && std::abs(by_walls) > most_by_walls * std::abs(by_tool))
     return std::nullopt;
-  return combined{std::move(*made), by_walls};
+  return combined{std::move(*made), by_walls + second.put_on()};
 }
 
 }  // namespace
@@ -485,7 +462,7 @@ expected<combined> combine_with_tool(const version_ptr& mesh, const tool_surface
       return std::move(*rounder);
   if (!made)
     return fail(made.error());
-  return combined{std::move(*made), 0};
+  return combined{std::move(*made), first.put_on()};
 }
 
 expected<boolean_result> draft_with_tool(const version_ptr& mesh, const tool_surface& tool,

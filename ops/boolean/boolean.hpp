@@ -7,8 +7,8 @@ namespace tedit::ops {
 
 struct combined {
   boolean_result made;
-  double rounder = 0;  ///< m^3: of its change of volume, what the part's walls gained by shorter
-                       ///< chords.
+  /// m^3: of its change of volume, what walls gained by shorter chords and vertices on their arcs.
+  double rounder = 0;
 };
 
 /// `services::boolean_onto`: see there. The steps: the tets that the tool crosses and a ring around

@@ -73,6 +73,18 @@ const round_walls::wall& round_walls::behind(const surface_labels& labels, std::
   return row.between || !row.id ? unknown_ : of_part(*row.id);
 }
 
+bool round_walls::are_known(const std::vector<facet_id>& facets) {
+  std::set<surface_id> ids;
+  for (const auto f : facets)
+    ids.insert(part_.facet(f).surface);
+  // Where there is no CAD model nothing needs to be fitted for that.
+  return std::ranges::all_of(ids, [&](surface_id id) {
+    const auto* row = part_.find_surface(id);
+    return row && row->geometry.type != surface_geometry::kind::none &&
+           std::ranges::all_of(of_part(id).round, &exact_wall::is_known);
+  });
+}
+
 bool round_walls::has_chord(surface_id id, const std::array<vec3, 3>& facet, const box& near,
                             double most_off) {
   const auto& wall = of_part(id);
@@ -89,7 +101,9 @@ bool round_walls::has_chord(surface_id id, const std::array<vec3, 3>& facet, con
 const round_walls::wall& round_walls::of_part(surface_id id) {
   const auto [row, fresh] = part_walls_.try_emplace(id);
   if (fresh) {
-    add(row->second, corners_of(part_, facets_of(part_, std::array{id})), true);
+    const auto facets = facets_of(part_, std::array{id});
+    const auto corners = corners_of(part_, facets);
+    add(row->second, corners, known_wall(part_, facets, corners), true);
     for (std::size_t face = 0; face < continues_.size(); ++face)
       if (continues_[face] == id) {
         const auto& own = of_tool(face);
@@ -108,16 +122,17 @@ const round_walls::wall& round_walls::of_tool(std::size_t face) {
       if (tool_.faces[i] == face)
         triangles.push_back(tool_.triangles[i]);
     // What continues a wall has the facets that the part has of it.
-    add(row->second, with_own_points(tool_.points, triangles),
+    add(row->second, with_own_points(tool_.points, triangles), std::nullopt,
         face < continues_.size() && continues_[face]);
   }
   return row->second;
 }
 
-void round_walls::add(wall& to, const facet_corners& corners, bool is_part) const {
+void round_walls::add(wall& to, const facet_corners& corners,
+                      const std::optional<exact_wall>& known, bool is_part) const {
   if (corners.triangles.empty())
     return;
-  const auto shape = exact_of(corners);
+  const auto shape = known ? known : exact_of(corners);
   if (!shape)
     to.free_form = true;
   else if (shape->flat() && is_part)

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <vector>
 
 #include "mesh/box.hpp"
-#include "mesh/features/exact_wall.hpp"
+#include "mesh/features/known_wall.hpp"
 #include "ops/boolean/remesh.hpp"
 
 namespace tedit::ops {
@@ -38,6 +39,10 @@ public:
     return !wall.round.empty() && !wall.free_form;
   }
 
+  /// Are all round walls of some of the part's facets those of the CAD model, none fitted? Cost:
+  /// the same, of the facets' surfaces.
+  [[nodiscard]] bool are_known(const std::vector<facet_id>& facets);
+
   /// Is the middle of an edge of such a surface's facet that meets a box further than that (m) off
   /// the wall? Cost: O(1).
   [[nodiscard]] bool has_chord(surface_id id, const std::array<vec3, 3>& facet, const box& near,
@@ -46,7 +51,8 @@ public:
 private:
   const wall& of_part(surface_id id);
   const wall& of_tool(std::size_t face);
-  void add(wall& to, const facet_corners& corners, bool is_part) const;
+  void add(wall& to, const facet_corners& corners, const std::optional<exact_wall>& known,
+           bool is_part) const;
 
   const mesh_version& part_;
   const tool_surface& tool_;

@@ -65,6 +65,7 @@ expected<rounder_part> with_shorter_chords(const version_ptr& part, const tool_s
     if (radius_ratio(builder.corners(t)) < flat)
       result.flat.push_back(t);
   result.mesh = builder.freeze();
+  result.is_known = walls.are_known(near);
   return result;
 }
 

@@ -7,6 +7,7 @@ namespace tedit::ops {
 
 struct rounder_part {
   version_ptr mesh;          ///< Null where nothing is to be halved, or the part is too large.
+  bool is_known = false;     ///< The CAD model has all round walls there: none is fitted.
   std::vector<tet_id> flat;  ///< Its tets that came out flatter than is good: to be made anew.
 };
 

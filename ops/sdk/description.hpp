@@ -32,9 +32,9 @@ enum class parameter_type {
   choice,
   point,
   direction,
-  vector,  ///< Since SDK 7.3, as is `file`.
+  vector,
   file,
-  axis,      ///< Since SDK 7.4, as are all below: a point (m) and a direction, "0, 0, 1; 0, 0, 1".
+  axis,      ///< A point (m) and a direction, "0, 0, 1; 0, 0, 1".
   plane,     ///< The same two: a point of it and its normal.
   polyline,  ///< Points (m), "0, 0, 0; 1, 0, 0": 2 (or `min`) to 10,000, each another.
   list       ///< Numbers in `unit`, "0.5, 1, 2": 1 to 10,000.

@@ -140,8 +140,6 @@ public:
   [[nodiscard]] virtual expected<planar_filling> triangulate(const planar_polygon& polygon,
                                                              double spacing) = 0;
 
-  // -- since SDK 7.1 ---------------------------------------------------------------------------
-
   /// Cuts a closed tool from the part, unites both, or keeps what is common: exactly, with new tets
   /// only around the tool's surface; all other tets and vertices stay as they are. Surfaces of the
   /// part keep their ids, faces of the tool get new ones. Faces that are flush come out flush. Runs
@@ -157,8 +155,6 @@ public:
                                                          const tool_surface& tool,
                                                          const boolean_request& request,
                                                          const execution& run) = 0;
-
-  // -- since SDK 7.2 ---------------------------------------------------------------------------
 
   /// The same with faces of the tool that become part of surfaces of the part: face i of
   /// `continues[i]`, of a new one where that is nothing, whether anything of it is left or not. An
@@ -236,8 +232,6 @@ struct context {
   /// 0: not at all, as for a preview, whose answer must come at once.
   double search_s = 0;
 
-  // -- since SDK 7.5 ---------------------------------------------------------------------------
-
   /// Applies another operation of the host to a version, as a person would ask for it: values by
   /// the ids of its parameters, in SI units or as text, defaults for the rest, all checked. What
   /// comes back is what that operation made, neither improved nor checked by the host, which sees
@@ -279,8 +273,8 @@ inline constexpr std::uint32_t plugin_magic = 0x54454450;  // "TEDP"
 /// goes up with any change of what plugins were compiled with; the minor one when `context` gets a
 /// member, `services` a function or `parameter_type` a kind, each at its end. No number of a
 /// release of the program is in a plugin: a patch release changes neither.
-inline constexpr std::uint32_t sdk_major = 7;
-inline constexpr std::uint32_t sdk_minor = 5;
+inline constexpr std::uint32_t sdk_major = 8;
+inline constexpr std::uint32_t sdk_minor = 0;
 
 #define TEDIT_TEXT_OF(x) #x
 #define TEDIT_TEXT(x) TEDIT_TEXT_OF(x)
@@ -362,20 +356,14 @@ inline void add_description(std::vector<layout_fact>& facts) {
   const auto& [p_id, p_name, p_help, type, unit, min, max, choices, default_value, instead] = p;
   facts.push_back(of("parameter_description", p, p_id, p_name, p_help, type, unit, min, max,
                      choices, default_value, instead));
-  facts.push_back(last("parameter_type", parameter_type::choice));
-  facts.push_back(last("parameter_type since 7.1", parameter_type::direction));
-  facts.push_back(last("parameter_type since 7.3", parameter_type::file));
-  facts.push_back(last("parameter_type since 7.4", parameter_type::list));
+  facts.push_back(last("parameter_type", parameter_type::list));
 }
 
 inline void add_edit(std::vector<layout_fact>& facts) {
   const context c;
-  auto known = of("context", c, c.run, c.host, c.log, c.search_s);
+  auto known = of("context", c, c.run, c.host, c.log, c.search_s, c.apply_other);
   known.size = 0;
   facts.push_back(known);
-  auto later = of("context since 7.5", c, c.apply_other);
-  later.size = 0;
-  facts.push_back(later);
   const expected<edit_result> answer;
   const auto& r = *answer;
   const auto& [candidate, touched, change, improve, thorough, used, notices, figures, floor,
@@ -401,7 +389,8 @@ inline void add_services(std::vector<layout_fact>& facts) {
   facts.push_back(of("planar_polygon", polygon, polygon.points, polygon.loops));
   const planar_filling plane;
   facts.push_back(of("planar_filling", plane, plane.points, plane.triangles));
-  facts.push_back(table("services", &services::tetrahedralise, &services::triangulate));
+  facts.push_back(table("services", &services::tetrahedralise, &services::triangulate,
+                        &services::boolean, &services::boolean_onto));
   facts.push_back(table("operation", &operation::describe, &operation::apply));
   const tool_surface tool;
   facts.push_back(of("tool_surface", tool, tool.points, tool.triangles, tool.faces, tool.names));
@@ -412,8 +401,6 @@ inline void add_services(std::vector<layout_fact>& facts) {
   const auto& [candidate, touched, change, deviation, before, after, surfaces] = made;
   facts.push_back(
     of("boolean_result", made, candidate, touched, change, deviation, before, after, surfaces));
-  facts.push_back(table("services since 7.1", &services::boolean));
-  facts.push_back(table("services since 7.2", &services::boolean_onto));
 }
 
 template <class Operation>

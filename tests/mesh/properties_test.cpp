@@ -127,6 +127,46 @@ RC_GTEST_PROP(PagedArrayProperty, ABuilderIsAVectorThatSharesPages,
 
 // -- manifests ------------------------------------------------------------------------------------
 
+spline_surface random_spline() {
+  spline_surface s;
+  for (int d = 0; d < 2; ++d) {
+    s.degree[d] = *rc::gen::inRange(1u, 4u);
+    const auto inner = *rc::gen::inRange(0, 3);
+    s.knots[d].assign(s.degree[d] + 1, 0);
+    for (int i = 0; i < inner; ++i)
+      s.knots[d].push_back(1 + i);
+    s.knots[d].insert(s.knots[d].end(), s.degree[d] + 1, 1 + inner);
+  }
+  const auto number = [] { return 1e-3 * *rc::gen::inRange(-1000, 1000); };
+  for (std::size_t i = 0; i < s.count(0) * s.count(1); ++i)
+    s.poles.push_back({number(), number(), number()});
+  if (*rc::gen::arbitrary<bool>())
+    for (std::size_t i = 0; i < s.poles.size(); ++i)
+      s.weights.push_back(2 + number());
+  return s;
+}
+
+/// In half of all cases none.
+surface_geometry random_geometry() {
+  surface_geometry g;
+  const int type = *rc::gen::inRange(-6, 7);
+  if (type <= 0)
+    return g;
+  g.type = static_cast<surface_geometry::kind>(type);
+  g.tolerance = 1e-9 * *rc::gen::inRange(0, 1000);
+  if (g.type == surface_geometry::kind::spline) {
+    g.spline = std::make_shared<const spline_surface>(random_spline());
+    return g;
+  }
+  const auto number = [] { return 1e-3 * *rc::gen::inRange(-1000, 1000); };
+  g.point = {number(), number(), number()};
+  g.axis = {number(), number(), number()};
+  g.radius = number();
+  g.slope = number();
+  g.tube_radius = number();
+  return g;
+}
+
 manifest random_manifest() {
   using hashes = std::vector<std::pair<std::uint64_t, std::uint64_t>>;
   manifest list;
@@ -137,7 +177,7 @@ manifest random_manifest() {
       list.arrays.back().pages.push_back({high, low});
   }
   for (auto& [id, name] : *rc::gen::arbitrary<std::map<surface_id, std::string>>())
-    list.surfaces.push_back({id, name});
+    list.surfaces.push_back({id, name, random_geometry()});
   for (auto& [id, name] : *rc::gen::arbitrary<std::map<region_id, std::string>>())
     list.regions.push_back({id, name});
   list.counts = *rc::gen::arbitrary<std::array<std::uint32_t, 6>>();

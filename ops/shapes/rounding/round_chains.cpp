@@ -7,6 +7,7 @@
 #include <set>
 #include <unordered_map>
 
+#include "mesh/features/known_wall.hpp"
 #include "mesh/features/rims.hpp"
 #include "mesh/place_text.hpp"
 
@@ -30,7 +31,10 @@ using surface_pair = std::pair<surface_id, surface_id>;
 
 /// Also a cylinder whose corners are too few for `has_round_corners`, as a bore of six facets: who
 /// picks its edge has seen that it is round. Nothing for free form.
-std::optional<exact_wall> fitted_to(const facet_corners& corners) {
+std::optional<exact_wall> fitted_to(const mesh_version& mesh, std::span<const facet_id> facets) {
+  const auto corners = corners_of(mesh, facets);
+  if (auto known = known_wall(mesh, facets, corners); known && !known->spline)
+    return known;
   if (const auto coarse = fit_wall(corners.points, corners.triangles))
     return exact_wall{*coarse};
   auto exact = fit_exact(corners);
@@ -91,7 +95,7 @@ private:
       return &found->second;
     if (shapeless_.contains(id))
       return nullptr;
-    const auto fitted = fitted_to(corners_of(mesh_, facets_[id]));
+    const auto fitted = fitted_to(mesh_, facets_[id]);
     if (!fitted) {
       shapeless_.insert(id);
       return nullptr;

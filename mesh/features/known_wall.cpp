@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "mesh/features/known_wall.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tedit {
+
+namespace {
+
+/// Of the radius, or of a flat wall's size: what is on the wall.
+constexpr double on_wall = 1e-7;
+/// What a mesher or its repair has moved: so much of the corners, or one, by so much.
+constexpr double few_corners = 0.03;
+constexpr double furthest = 0.02;
+
+/// The geometry of the one surface that all facets are of; null where there is none.
+const surface_geometry* geometry_of(const mesh_version& mesh, std::span<const facet_id> facets) {
+  if (facets.empty())
+    return nullptr;
+  const auto id = mesh.facet(facets.front()).surface;
+  const auto* row = mesh.find_surface(id);
+  const bool is_one =
+    std::ranges::all_of(facets, [&](facet_id f) { return mesh.facet(f).surface == id; });
+  return row && is_one && row->geometry.type != surface_geometry::kind::none ? &row->geometry
+                                                                             : nullptr;
+}
+
+exact_wall wall_of(const surface_geometry& from) {
+  exact_wall wall;
+  wall.is_known = true;
+  wall.vague = from.tolerance;
+  wall.shape.point = from.point;
+  wall.shape.axis = from.axis;
+  switch (from.type) {
+    case surface_geometry::kind::cylinder:
+      wall.shape.type = wall_shape::kind::cylinder;
+      wall.shape.radius = from.radius;
+      break;
+    case surface_geometry::kind::cone:
+      wall.shape.type = wall_shape::kind::cone;
+      wall.shape.radius = from.radius;
+      wall.shape.slope = from.slope;
+      break;
+    case surface_geometry::kind::sphere:
+      wall.sphere_radius = from.radius;
+      break;
+    case surface_geometry::kind::torus:
+      wall.shape.radius = from.radius;
+      wall.tube_radius = from.tube_radius;
+      break;
+    case surface_geometry::kind::spline:
+      wall.spline = std::make_shared<const spline_projection>(*from.spline);
+      break;
+    case surface_geometry::kind::plane:
+    case surface_geometry::kind::none:
+      break;
+  }
+  return wall;
+}
+
+vec3 middle_of(std::span<const vec3> points) {
+  vec3 middle;
+  for (const auto& p : points)
+    middle += p / static_cast<double>(points.size());
+  return middle;
+}
+
+/// The point of its axis, or of the plane, that is beside the facets: a cone's radius is that
+/// there.
+void bring_near(std::span<const vec3> points, exact_wall& wall) {
+  auto& shape = wall.shape;
+  const double along = dot(middle_of(points) - shape.point, shape.axis);
+  if (shape.type == wall_shape::kind::cone || shape.type == wall_shape::kind::cylinder) {
+    shape.point += along * shape.axis;
+    shape.radius += shape.slope * along;
+  } else if (wall.flat()) {
+    shape.point = middle_of(points) - along * shape.axis;
+  }
+}
+
+/// What shares of lengths are taken of, m.
+double scale_of(std::span<const vec3> points, const exact_wall& wall) {
+  if (wall.spline)
+    return wall.spline->least_radius();
+  if (wall.tube_radius > 0)
+    return wall.tube_radius;
+  if (!wall.flat())
+    return std::max(wall.shape.radius, wall.sphere_radius);
+  const vec3 middle = middle_of(points);
+  double size = 0;
+  for (const auto& p : points)
+    size = std::max(size, norm(p - middle));
+  return size;
+}
+
+bool holds(const facet_corners& corners, const exact_wall& wall, double scale) {
+  const double near = std::max(on_wall * scale, wall.vague);
+  std::size_t beside = 0;
+  for (const auto& p : corners.points) {
+    const double off = std::abs(wall.distance(p));
+    if (!(off <= furthest * scale))
+      return false;
+    beside += off > near ? 1 : 0;
+  }
+  return beside <= 1 ||
+         static_cast<double>(beside) <= few_corners * static_cast<double>(corners.points.size());
+}
+
+}  // namespace
+
+std::optional<exact_wall> known_wall(const mesh_version& mesh, std::span<const facet_id> facets,
+                                     const facet_corners& corners) {
+  const auto* geometry = geometry_of(mesh, facets);
+  if (!geometry)
+    return std::nullopt;
+  auto wall = wall_of(*geometry);
+  bring_near(corners.points, wall);
+  // A torus without a tube is a plane to everybody else.
+  const bool is_flat = geometry->type == surface_geometry::kind::plane;
+  if (!(wall.shape.radius >= 0) || wall.flat() != is_flat)
+    return std::nullopt;
+  const double scale = scale_of(corners.points, wall);
+  wall.vague = std::clamp(wall.vague, 0.0, furthest * scale);
+  if (!holds(corners, wall, scale))
+    return std::nullopt;
+  turn_outward(corners, wall);
+  return wall;
+}
+
+std::optional<exact_wall> find_exact(const mesh_version& mesh, std::span<const facet_id> facets) {
+  const auto corners = corners_of(mesh, facets);
+  auto known = known_wall(mesh, facets, corners);
+  return known ? known : fit_exact(corners);
+}
+
+}  // namespace tedit

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "mesh/features/exact_wall.hpp"
+
+namespace tedit {
+
+/// The wall, free form, too, that the CAD model has behind facets of one surface, as long as it
+/// holds of them: most of their corners are on it to rounding, the others no further off than edges
+/// of a CAD file are from their faces (3e-3 of the radius). So an edit that moves the facets needs
+/// to tell nobody. Nothing where the version has no geometry of the surface, or it does not hold
+/// any more. Cost: O(corners).
+[[nodiscard]] std::optional<exact_wall> known_wall(const mesh_version& mesh,
+                                                   std::span<const facet_id> facets,
+                                                   const facet_corners& corners);
+
+/// `known_wall`, else `fit_exact`. Cost: that of a fit.
+[[nodiscard]] std::optional<exact_wall> find_exact(const mesh_version& mesh,
+                                                   std::span<const facet_id> facets);
+
+}  // namespace tedit
