@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // bench_cad CAD_FILE MESH UNIT FEATURES.json [SEED [new] [LABEL ...]]: edits of a part on its mesh
-// and on its CAD model. Each listed hole filled; both walls of each listed plate taken down and put
-// on by 1 mm (or a tenth of the plate); edges of random walls rounded, all of a wall and one
-// by one, holes drilled into random flat walls, bores resized; holes moved, copied and mirrored,
-// text, an SVG ring, a box from a file and ribs on random flat walls, the part hollowed and cut in
-// two; then all listed holes one after the other. "new" after the seed: only what is in the line
-// before; labels: only these. The mesh's surfaces must be the CAD file's faces by their places. A
-// line an edit: operation | surfaces | on the mesh | on the CAD model | way | deviation mm | ms of
-// both; then the reason, and a summary line an operation.
+// (a file, or "coarse", "medium", "fine": as `tedit import` makes it) and on its CAD model. Each
+// listed hole filled; both walls of each listed plate taken down and put on by 1 mm (or a tenth of
+// the plate); edges of random walls rounded, all of a wall and one by one, holes drilled into
+// random flat walls, bores resized; holes moved, copied and mirrored, text, an SVG ring, a box from
+// a file and ribs on random flat walls, the part hollowed and cut in two; then all listed holes one
+// after the other. "new" after the seed: only what is in the line before; labels: only these. The
+// mesh's surfaces must be the CAD file's faces by their places. A line an edit: operation |
+// surfaces | on the mesh | on the CAD model | way | deviation mm | ms of both; then the reason, and
+// a summary line an operation.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -321,6 +322,21 @@ void run_features(cad_run& run, const nlohmann::json& features, std::uint64_t se
             {}});
 }
 
+/// `mesh`: a file, or the size ("medium") at which the CAD file is meshed as `tedit import` does.
+expected<state> base_of(const char* cad_file, const std::string& mesh, const char* unit) {
+  if (mesh == "coarse" || mesh == "medium" || mesh == "fine") {
+    auto part = cad::import_part({cad_file, mesh, {}, {}}, {});
+    if (!part)
+      return fail(part.error());
+    return state{std::move(part->version), std::move(part->model)};
+  }
+  auto model = cad::read_model({cad_file, "medium", {}, {}}, {});
+  auto read = import_mesh(mesh, unit);
+  if (!model || !read)
+    return fail(model ? read.error() : model.error());
+  return state{std::move(read->version), std::move(*model)};
+}
+
 }  // namespace
 }  // namespace tedit
 
@@ -331,17 +347,16 @@ int main(int argc, char** argv) try {
                  "usage: bench_cad CAD_FILE MESH UNIT FEATURES.json [SEED [new] [LABEL ...]]\n");
     return 2;
   }
-  auto model = cad::read_model({argv[1], "medium", {}}, {});
-  const auto mesh = import_mesh(argv[2], argv[3]);
-  if (!model || !mesh) {
-    std::fprintf(stderr, "%s\n", render(model ? mesh.error() : model.error()).c_str());
+  auto base = base_of(argv[1], argv[2], argv[3]);
+  if (!base) {
+    std::fprintf(stderr, "%s\n", render(base.error()).c_str());
     return 1;
   }
   std::ifstream in(argv[4]);
   const auto features = nlohmann::json::parse(in);
   const bool only_new = argc > 6 && std::string(argv[6]) == "new";
   const int labels = only_new ? 7 : 6;
-  cad_run run({mesh->version, std::move(*model)}, {argv + std::min(argc, labels), argv + argc});
+  cad_run run(std::move(*base), {argv + std::min(argc, labels), argv + argc});
   const std::uint64_t seed = argc > 5 ? std::stoull(argv[5]) : 1;
   run_features(run, features, seed);
   if (only_new) {
