@@ -8,7 +8,7 @@ namespace tedit {
 
 namespace {
 
-/// Of the radius, or of a flat wall's size: what is on the wall.
+/// Of the wall's scale: what is on it.
 constexpr double on_wall = 1e-7;
 /// What a mesher or its repair has moved: so much of the corners, or one, by so much.
 constexpr double few_corners = 0.03;
@@ -79,19 +79,26 @@ void bring_near(std::span<const vec3> points, exact_wall& wall) {
   }
 }
 
-/// What shares of lengths are taken of, m.
+/// What shares of lengths are taken of, m: the radius, or the facets' extent where that is less, as
+/// of a plane. A large arc's share would be more than all of its facets bend.
 double scale_of(std::span<const vec3> points, const exact_wall& wall) {
-  if (wall.spline)
-    return wall.spline->least_radius();
-  if (wall.tube_radius > 0)
-    return wall.tube_radius;
-  if (!wall.flat())
-    return std::max(wall.shape.radius, wall.sphere_radius);
   const vec3 middle = middle_of(points);
-  double size = 0;
+  double scale = 0;
   for (const auto& p : points)
-    size = std::max(size, norm(p - middle));
-  return size;
+    scale = std::max(scale, norm(p - middle));
+  if (wall.spline)
+    return std::min(scale, wall.spline->least_radius());
+  for (const double radius : {wall.shape.radius, wall.sphere_radius, wall.tube_radius})
+    if (radius > 0)
+      scale = std::min(scale, radius);
+  return scale;
+}
+
+/// Those that its kind has: a torus without a tube is a plane to everybody else.
+bool has_radii(surface_geometry::kind type, const exact_wall& wall) {
+  return wall.shape.radius >= 0 &&
+         (type != surface_geometry::kind::sphere || wall.sphere_radius > 0) &&
+         (type != surface_geometry::kind::torus || wall.tube_radius > 0);
 }
 
 bool holds(const facet_corners& corners, const exact_wall& wall, double scale) {
@@ -116,9 +123,7 @@ std::optional<exact_wall> known_wall(const mesh_version& mesh, std::span<const f
     return std::nullopt;
   auto wall = wall_of(*geometry);
   bring_near(corners.points, wall);
-  // A torus without a tube is a plane to everybody else.
-  const bool is_flat = geometry->type == surface_geometry::kind::plane;
-  if (!(wall.shape.radius >= 0) || wall.flat() != is_flat)
+  if (!has_radii(geometry->type, wall))
     return std::nullopt;
   const double scale = scale_of(corners.points, wall);
   wall.vague = std::clamp(wall.vague, 0.0, furthest * scale);

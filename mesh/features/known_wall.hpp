@@ -9,10 +9,11 @@
 namespace tedit {
 
 /// The wall, free form, too, that the CAD model has behind facets of one surface, as long as it
-/// holds of them: most of their corners are on it to rounding, the others no further off than edges
-/// of a CAD file are from their faces (3e-3 of the radius). So an edit that moves the facets needs
-/// to tell nobody. Nothing where the version has no geometry of the surface, or it does not hold
-/// any more. Cost: O(corners).
+/// holds of them: their corners are on it to rounding, or as near as edges of the CAD model are,
+/// but for what a mesher's repair may have moved: one corner, or three of a hundred, by 2 % of the
+/// radius or of the facets' extent. So an edit that moves the facets needs to tell nobody. Nothing
+/// where the version has no geometry of the surface, or it does not hold any more. Cost:
+/// O(corners), of free form some microseconds each.
 [[nodiscard]] std::optional<exact_wall> known_wall(const mesh_version& mesh,
                                                    std::span<const facet_id> facets,
                                                    const facet_corners& corners);
