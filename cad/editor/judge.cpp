@@ -29,6 +29,9 @@ constexpr double rim_share = 10;
 /// And where another face goes on there without a bend: its surface is on both.
 constexpr double seam_share = 100;
 
+/// Cosine: a triangle of a face bends away from it by less.
+constexpr double least_along = 0.3;
+
 /// An arc of this chord is at most so far from it, with room for what is not a circle.
 double sagitta(double chord, double curvature) {
   return 0.25 * chord * chord * curvature;
@@ -116,7 +119,16 @@ private:
         return false;
     const double far = std::max(near, 0.5 * longest_edge(t));
     const auto middle = face(middle_of(t), far);
-    return middle.distance <= near + sagitta(longest_edge(t), middle.curvature);
+    return middle.distance <= near + sagitta(longest_edge(t), middle.curvature) &&
+           lies_along(t, face);
+  }
+
+  /// A triangle between three points of a round rim has its corners on both of the faces that meet
+  /// there, and is of one.
+  static bool lies_along(const triangle& t, face_probe& face) {
+    const auto normal = gp_Vec(t[0], t[1]).Crossed(gp_Vec(t[0], t[2]));
+    const auto outward = face.outward_at(middle_of(t));
+    return std::abs(normal.Dot(outward)) >= least_along * normal.Magnitude() * outward.Magnitude();
   }
 
   /// Do some of a surface's triangles lie on a face? Looks at a few of those in its box.
