@@ -4,6 +4,8 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <vector>
 
 #include "cad/reader/text_faults.hpp"
@@ -214,6 +216,16 @@ private:
 
 std::optional<text_fault> fault_of_brep(std::string_view text) {
   return brep_walk(text).first_fault();
+}
+
+bool names_its_part(const std::string& brep_file) {
+  constexpr std::streamoff enough = 4096;
+  std::ifstream in(brep_file, std::ios::binary | std::ios::ate);
+  in.seekg(std::max<std::streamoff>(0, static_cast<std::streamoff>(in.tellg()) - enough));
+  const std::string end{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  // The last shape ends with a star.
+  const auto star = end.rfind('*');
+  return star == std::string::npos || !std::ranges::all_of(end.substr(star + 1), is_brep_blank);
 }
 
 }  // namespace tedit::cad

@@ -323,7 +323,7 @@ cad_content read_brep(const std::string& file, const teller& tells) {
     tells.refuse(counts.error());
   TopoDS_Shape shape;
   BRep_Builder builder;
-  if (!BRepTools::Read(shape, file.c_str(), builder) || shape.IsNull())
+  if (!names_its_part(file) || !BRepTools::Read(shape, file.c_str(), builder) || shape.IsNull())
     tells.refuse({ec::bad_input,
                   "OpenCASCADE cannot read the BREP file",
                   "Write it again with BRepTools::Write of OpenCASCADE, or take a STEP file",

@@ -41,4 +41,8 @@ struct text_fault {
 /// OpenCASCADE would read on and on. Errors: `bad_input` with the line. Cost: O(bytes).
 [[nodiscard]] expected<void> check_brep_counts(const std::string& file);
 
+/// Does a BREP file say behind its shapes which of them is the part? Where it is cut off before
+/// that OpenCASCADE takes what its memory holds. Looks at its end alone.
+[[nodiscard]] bool names_its_part(const std::string& brep_file);
+
 }  // namespace tedit::cad
