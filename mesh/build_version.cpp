@@ -2,6 +2,7 @@
 #include "mesh/build_version.hpp"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <ranges>
 #include <set>
@@ -448,14 +449,18 @@ private:
     for (const auto& f : interfaces_)
       surfaces.insert(f.surface);
     const std::set<region_id> regions(raw_.tet_regions.begin(), raw_.tet_regions.end());
-    const auto row_of = []<class Row>(const std::vector<Row>& rows, auto id) {
-      const auto row = std::ranges::find(rows, id, &Row::id);
-      return row == rows.end() ? Row{.id = id, .name = {}} : *row;
+    const auto fill = []<class Row>(const auto& ids, const std::vector<Row>& known,
+                                    std::vector<Row>& rows) {
+      std::map<decltype(Row::id), const Row*> by_id;
+      for (const auto& row : known)
+        by_id.try_emplace(row.id, &row);
+      for (const auto id : ids) {
+        const auto found = by_id.find(id);
+        rows.push_back(found == by_id.end() ? Row{.id = id, .name = {}} : *found->second);
+      }
     };
-    for (const auto id : surfaces)
-      data.surfaces.push_back(row_of(raw_.surface_names, id));
-    for (const auto id : regions)
-      data.regions.push_back(row_of(raw_.region_names, id));
+    fill(surfaces, raw_.surface_names, data.surfaces);
+    fill(regions, raw_.region_names, data.regions);
   }
 
   raw_mesh raw_;

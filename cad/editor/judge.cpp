@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 
 #include <BRepCheck_Analyzer.hxx>
@@ -275,17 +276,19 @@ private:
   }
 
   /// mm, off the model: of a vertex that is just beyond its face's rim, but still as near to the
-  /// face's surface as the model's edges are, where another face goes on without a bend.
-  [[nodiscard]] double off_smooth_seam(int id, const gp_Pnt& p) {
+  /// face's surface as the model's edges are, and on another face, which goes on there without a
+  /// bend. Nothing for others.
+  [[nodiscard]] std::optional<double> off_smooth_seam(int id, const gp_Pnt& p) {
     const double near = seam_share * tolerance_;
-    double off = near;
-    if (std::ranges::any_of(probes_of_[id], [&](std::size_t i) {
+    if (std::ranges::none_of(probes_of_[id], [&](std::size_t i) {
           return probes_[i](p, near).distance < near &&
                  probes_[i].distance_of_surface(p) <= std::max(tolerance_, probes_[i].vague());
         }))
-      for (auto& face : probes_)
-        off = std::min(off, face(p, off).distance);
-    return off;
+      return std::nullopt;
+    double off = 2 * tolerance_;
+    for (auto& face : probes_)
+      off = std::min(off, face(p, off).distance);
+    return off <= tolerance_ ? std::optional(off) : std::nullopt;
   }
 
   void check_vertices() {
@@ -303,8 +306,8 @@ private:
         // Most are on a face: far ones are looked for only where none is that near.
         const double near = nearest(t[3], p, 2 * tolerance_).distance;
         double far = near <= tolerance_ ? near : nearest(t[3], p, at_most).distance;
-        if (far > tolerance_ && off_smooth_seam(t[3], p) <= tolerance_)
-          far = off_smooth_seam(t[3], p);
+        if (far > tolerance_)
+          far = std::min(far, off_smooth_seam(t[3], p).value_or(far));
         if (far > tolerance_) {
           result_.fault = "the mesh's vertex at " + place(p) + " on surface " +
                           std::to_string(t[3]) + " is " + (far < at_most ? "" : "more than ") +

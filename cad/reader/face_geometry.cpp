@@ -20,12 +20,15 @@ namespace {
 
 constexpr double millimetre = 1e-3;
 
+vec3 metres(const gp_Pnt& p) {
+  return millimetre * vec3{p.X(), p.Y(), p.Z()};
+}
+
 surface_geometry at(surface_geometry::kind type, const gp_Ax3& place) {
   surface_geometry result;
-  const auto& point = place.Location();
   const auto& axis = place.Direction();
   result.type = type;
-  result.point = millimetre * vec3{point.X(), point.Y(), point.Z()};
+  result.point = metres(place.Location());
   result.axis = {axis.X(), axis.Y(), axis.Z()};
   return result;
 }
@@ -34,11 +37,7 @@ std::vector<double> knots_of(const TColStd_Array1OfReal& knots) {
   return {knots.begin(), knots.end()};
 }
 
-vec3 metres(const gp_Pnt& p) {
-  return millimetre * vec3{p.X(), p.Y(), p.Z()};
-}
-
-/// All four kinds are splines exactly. None where there are too many poles.
+/// Null where there are more poles or a higher degree than `spline_surface` has.
 std::shared_ptr<const spline_surface> spline_of(const Geom_BSplineSurface& from) {
   spline_surface to;
   to.degree = {static_cast<std::uint32_t>(from.UDegree()),
@@ -54,7 +53,8 @@ std::shared_ptr<const spline_surface> spline_of(const Geom_BSplineSurface& from)
   return is_possible(to) ? std::make_shared<const spline_surface>(std::move(to)) : nullptr;
 }
 
-/// As far as the face goes: what it is a piece of may be endless, or closed.
+/// All that is asked for this is a spline exactly. As far as the face goes: what it is a piece of
+/// may be endless, or closed.
 surface_geometry free_form(const TopoDS_Face& face) {
   Standard_Real u1 = 0;
   Standard_Real u2 = 0;
