@@ -134,7 +134,7 @@ TEST(ManyDocuments, ThoseThatNobodyHasOpenAreClosedAndTheirMemoryIsFree) {
   open_all(true);
   wait_until_closed();
   host.print(std::to_string(documents) + " documents made and closed");
-  const auto resident = host.resident_kib();
+  [[maybe_unused]] const auto resident = host.resident_kib();
   const auto descriptors = host.count("fd");
   for (int round = 0; round < 3; ++round)
     open_all(false);
