@@ -5,6 +5,7 @@
 #include <cmath>
 #include <unordered_set>
 
+#include "mesh/features/known_wall.hpp"
 #include "mesh/level_set_freedom.hpp"
 #include "mesh/level_set_patch.hpp"
 #include "mesh/level_set_tidy.hpp"
@@ -39,25 +40,43 @@ constexpr int newton_steps = 30;
 
 /// A surface as the shift sees it: its exact shape where it has one.
 struct known_surface {
-  std::optional<wall_shape> shape;
+  std::optional<exact_wall> wall;
   std::optional<facet_sheet> sheet;
 };
 
 /// What a moved vertex must fulfil: so far off one surface, m.
 struct condition {
-  std::optional<wall_shape> exact;
+  const exact_wall* exact = nullptr;
   const facet_sheet* sheet = nullptr;  ///< Where there is no exact shape.
+  wall_shape plane = {};               ///< Where there is neither.
   double target = 0;
   std::optional<surface_id> surface;  ///< None: a face between two regions.
   bool moves = false;
   vec3 carried = {};  ///< How far the surface has gone with a wall, m.
 
-  [[nodiscard]] wall_shape shape_at(vec3 p) const {
-    auto shape = exact ? *exact : sheet->plane_at(p - carried);
-    shape.point += carried;
-    return shape;
+  [[nodiscard]] double distance(vec3 p) const {
+    return exact ? exact->distance(p - carried) : plane_near(p).distance(p - carried);
+  }
+  [[nodiscard]] vec3 normal(vec3 p) const {
+    return exact ? exact->normal(p - carried) : plane_near(p).axis;
+  }
+
+  /// The plane at a point that is off the sheet, or the one that there is.
+  [[nodiscard]] wall_shape plane_near(vec3 p) const {
+    return sheet ? sheet->plane_at(p - carried) : plane;
   }
 };
+
+/// @param surface of a moving wall; none: a face between two regions.
+condition plane_demand(vec3 point, vec3 normal, double target, std::optional<surface_id> surface) {
+  condition plane;
+  plane.plane.point = point;
+  plane.plane.axis = normal;
+  plane.target = target;
+  plane.surface = surface;
+  plane.moves = surface.has_value();
+  return plane;
+}
 
 class shifter {
 public:
@@ -70,7 +89,8 @@ public:
         least_step_(least_step(patience)),
         run_(run) {
     for (const auto& [id, wall] : walls)
-      surfaces_.emplace(id, known_surface{wall.exact, {}});
+      surfaces_.emplace(
+        id, known_surface{wall.exact ? std::optional(exact_wall{*wall.exact}) : std::nullopt, {}});
   }
 
   expected<void> shift() {
@@ -158,9 +178,8 @@ private:
     std::vector<vec3> basis;
     vec3 move;
     for (const auto& c : conditions) {
-      const auto shape = c.shape_at(x);
-      const vec3 slope = shape.normal(x);
-      const double missing = c.target - shape.distance(x) - dot(slope, move);
+      const vec3 slope = c.normal(x);
+      const double missing = c.target - c.distance(x) - dot(slope, move);
       vec3 rest = slope;
       for (const auto& b : basis)
         rest = rest - dot(rest, b) * b;
@@ -179,7 +198,9 @@ private:
 
   /// How far a fitted shape may be off its surface, m.
   [[nodiscard]] static double slack_of(const condition& c) {
-    return c.exact ? 2 * round_enough.roundness * c.exact->radius : 0;
+    if (!c.exact)
+      return 0;
+    return c.exact->is_known ? c.exact->vague : 2 * round_enough.roundness * c.exact->shape.radius;
   }
 
   [[nodiscard]] static tl::unexpected<error> flush(const condition& c, vec3 x, surface_id moved) {
@@ -207,14 +228,16 @@ private:
       if (add_free_form(v, id, share, result))
         continue;
       const auto& known = surface_of(id);
-      condition next{known.shape, known.sheet ? &*known.sheet : nullptr, 0, id,
-                     walls_.contains(id)};
+      condition next;
+      next.exact = known.wall ? &*known.wall : nullptr;
+      next.sheet = known.sheet ? &*known.sheet : nullptr;
+      next.surface = id;
+      next.moves = walls_.contains(id);
       const vec3 here = mesh_.position(v);
       const auto along = carried_.find(id);
       if (along != carried_.end())
         next.carried = reached_ * along->second;
-      next.target =
-        next.moves ? share * distance_ + offset_of(v, id) : next.shape_at(here).distance(here);
+      next.target = next.moves ? share * distance_ + offset_of(v, id) : next.distance(here);
       if (along != carried_.end())
         next.carried = share * along->second;
       result.push_back(next);
@@ -233,12 +256,8 @@ private:
     const auto normals = wall->second.normals.find(v);
     if (normals == wall->second.normals.end())
       return true;
-    for (const auto& normal : normals->second) {
-      wall_shape plane;
-      plane.point = mesh_.base()->position(v);
-      plane.axis = normal;
-      result.push_back({plane, nullptr, share * distance_, id, true});
-    }
+    for (const auto& normal : normals->second)
+      result.push_back(plane_demand(mesh_.base()->position(v), normal, share * distance_, id));
     return true;
   }
 
@@ -261,10 +280,8 @@ private:
           continue;
         const auto p = mesh_.corners(t);
         const auto& [a, b, c] = tet_faces[face];
-        wall_shape plane;
-        plane.point = mesh_.position(v);
-        plane.axis = normalized(area_vector(p[a], p[b], p[c]));
-        result.push_back({plane, nullptr, 0, std::nullopt, false});
+        result.push_back(plane_demand(mesh_.position(v), normalized(area_vector(p[a], p[b], p[c])),
+                                      0, std::nullopt));
       }
   }
 
@@ -273,8 +290,12 @@ private:
     const auto [row, fresh] = surfaces_.try_emplace(id);
     if (fresh) {
       const auto& base = *mesh_.base();
-      row->second.shape = fit_wall(base, facets_of(base, std::vector{id}), round_enough);
-      if (!row->second.shape)
+      const auto facets = facets_of(base, std::vector{id});
+      row->second.wall = known_wall(base, facets, corners_of(base, facets));
+      if (!row->second.wall)
+        if (const auto shape = fit_wall(base, facets, round_enough))
+          row->second.wall = exact_wall{*shape};
+      if (!row->second.wall)
         row->second.sheet.emplace(base, id);
     }
     return row->second;
