@@ -7,6 +7,7 @@
 #include <unordered_set>
 
 #include "base/stopwatch.hpp"
+#include "mesh/adapt/settle_on_walls.hpp"
 #include "mesh/optimize/improve.hpp"
 #include "mesh/place_text.hpp"
 #include "mesh/quality.hpp"
@@ -122,48 +123,97 @@ expected<void> check_facets_are_wide(const mesh_version& base, const mesh_versio
               "The version is unchanged; try other surfaces or parameters");
 }
 
+/// Ascending.
+std::vector<tet_id> live_in(const mesh_version& mesh, const std::unordered_set<tet_id>& tets) {
+  std::vector<tet_id> live;
+  for (const auto t : tets)
+    if (t < mesh.tet_slots() && mesh.is_live_tet(t))
+      live.push_back(t);
+  std::ranges::sort(live);
+  return live;
+}
+
+/// A candidate on its way, and the tets that are new or changed so far.
+struct edit_in_work {
+  version_ptr version;
+  std::vector<tet_id> touched;
+  double volume_change = 0;  ///< m^3
+};
+
+expected<void> settle(const mesh_version& base, double floor, const execution& run,
+                      edit_in_work& edit) {
+  const auto settled = settle_on_walls(base, edit.version, floor, run);
+  if (!settled)
+    return fail(settled.error());
+  if (!*settled)
+    return {};
+  edit.volume_change += boundary_growth(*edit.version, *(*settled)->version);
+  edit.version = (*settled)->version;
+  std::unordered_set<tet_id> touched(edit.touched.begin(), edit.touched.end());
+  touched.insert((*settled)->touched.begin(), (*settled)->touched.end());
+  edit.touched = live_in(*edit.version, touched);
+  return {};
+}
+
+expected<improve_report> improve_as_wanted(const improve_request& wanted,
+                                           const finish_settings& settings, const execution& run,
+                                           edit_in_work& edit) {
+  if (auto valid = validate(wanted.thorough); !valid)
+    return fail(valid.error());
+  const auto before = edit.version;
+  mesh_builder builder(before);
+  auto report = improve(builder, edit.touched, settings_of(wanted, settings), run);
+  if (!report)
+    return fail(report.error());
+  std::unordered_set<tet_id> touched(edit.touched.begin(), edit.touched.end());
+  for (const auto t : builder.touched())
+    touched.insert(t);
+  edit.version = builder.freeze();
+  edit.touched = live_in(*edit.version, touched);
+  if (wanted.how == improvement::thorough && wanted.thorough.tolerance.allows_any())
+    edit.volume_change += boundary_growth(*before, *edit.version);
+  return report;
+}
+
 }  // namespace
 
 expected<finished_edit> finish_edit(const version_ptr& base, const version_ptr& candidate,
                                     const edit_claim& claim, const improve_request& wanted,
                                     const finish_settings& settings, const execution& run) {
   finished_edit result;
-  result.version = candidate;
-  std::unordered_set<tet_id> touched(claim.touched.begin(), claim.touched.end());
   stopwatch clock;
-  result.volume_change = claim.volume_change;
+  edit_in_work edit{candidate, claim.touched, claim.volume_change};
   const double floor =
     std::min(settings.quality_floor, std::max(claim.quality_floor, lowest_quality_floor));
+  if (settings.settle)
+    if (auto ok = settle(*base, floor, run, edit); !ok)
+      return fail(ok.error());
+  const bool is_settled = edit.version != candidate;
   if (wanted.how == improvement::local)
     if (auto wide =
           check_facets_are_wide(*base, *candidate, claim.touched, floor, settings.improve.rings);
         !wide)
       return fail(wide.error());
   if (wanted.how != improvement::none) {
-    if (auto valid = validate(wanted.thorough); !valid)
-      return fail(valid.error());
-    mesh_builder builder(candidate);
-    auto report = improve(builder, claim.touched, settings_of(wanted, settings), run);
-    if (!report)
-      return fail(report.error());
-    result.improvement = *report;
-    for (const auto t : builder.touched())
-      touched.insert(t);
-    result.version = builder.freeze();
-    if (wanted.how == improvement::thorough && wanted.thorough.tolerance.allows_any())
-      result.volume_change += boundary_growth(*candidate, *result.version);
+    const auto improved = improve_as_wanted(wanted, settings, run, edit);
+    if (!improved)
+      return fail(improved.error());
+    result.improvement = *improved;
   }
-  std::erase_if(touched, [&](tet_id t) {
-    return t >= result.version->tet_slots() || !result.version->is_live_tet(t);
-  });
-  result.touched.assign(touched.begin(), touched.end());
-  std::ranges::sort(result.touched);
+  result.version = edit.version;
+  result.touched = live_in(*edit.version, {edit.touched.begin(), edit.touched.end()});
+  result.volume_change = edit.volume_change;
   result.improve_ms = clock.restart();
   auto final_claim = claim;
   final_claim.touched = result.touched;
   final_claim.volume_change = result.volume_change;
   final_claim.quality_floor = floor;
   const auto report = check_edit(*base, *result.version, final_claim);
+  if (!report.ok() && is_settled) {
+    auto as_made = settings;
+    as_made.settle = false;
+    return finish_edit(base, candidate, claim, wanted, as_made, run);
+  }
   if (!report.ok())
     return fail(to_error(report));
   if (!result.touched.empty()) {

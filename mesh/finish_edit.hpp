@@ -12,6 +12,7 @@ namespace tedit {
 struct finish_settings {
   improve_settings improve;
   double quality_floor = 0.15;  ///< q = 3 r_in/R_circ; see `edit_claim`.
+  bool settle = true;           ///< New vertices go onto their walls (`settle_on_walls`).
 };
 
 /// An operation may promise less than the host's floor, but no less than this.
@@ -38,8 +39,9 @@ struct finished_edit {
   double check_ms = 0;
 };
 
-/// What becomes of an operation's candidate, whoever wrote the operation: the improvement that it
-/// asks for, then the postconditions of an edit. Either all hold or nothing comes out. Errors:
+/// What becomes of an operation's candidate, whoever wrote the operation: its new vertices go onto
+/// the walls that the CAD model has, the improvement that it asks for is made, then the
+/// postconditions of an edit are looked at. Either all hold or nothing comes out. Errors:
 /// `postcondition_failed` with the numbers, `cancelled`.
 [[nodiscard]] expected<finished_edit> finish_edit(
   const version_ptr& base, const version_ptr& candidate, const edit_claim& claim,

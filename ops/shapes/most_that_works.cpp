@@ -162,8 +162,10 @@ expected<void> passes(const version_ptr& mesh, const edit_result& result, const 
   claim.bodies_added = result.bodies_added;
   execution quiet;
   quiet.cancel = run.cancel;
+  finish_settings settings;
+  settings.settle = false;  // What is not good enough then stays as it was made.
   const auto done =
-    finish_edit(mesh, result.candidate, claim, {result.improve, result.thorough}, {}, quiet);
+    finish_edit(mesh, result.candidate, claim, {result.improve, result.thorough}, settings, quiet);
   if (!done)
     return fail(done.error());
   return {};

@@ -15,6 +15,7 @@ using kind = surface_geometry::kind;
 
 constexpr surface_id pin = 1;
 constexpr surface_id fillet = 2;
+constexpr surface_id side = 8;  ///< x = 20.
 constexpr surface_id dome = 9;
 
 /// m, above the dome.
@@ -92,6 +93,19 @@ TEST_F(KnownGeometry, AHoleThroughFreeFormHasItsRimThere) {
     furthest_off_dome_after(
       {"drill", {dome}, {{"at", std::string("-0.008,0.004,0.012")}, {"diameter", 0.004}}, {}}),
     1e-11);
+}
+
+/// Its upper edge comes down along the dome.
+TEST_F(KnownGeometry, AWallBesideFreeFormIsLoweredAlongIt) {
+  const edit_request wanted{"erode", {side}, {{"depth", 0.002}}, {}};
+  const auto made = edit(wanted);
+  const auto result = replay(wanted, made);
+
+  EXPECT_TRUE(result.verdict.is_same) << result.verdict.reason;
+  for (const auto v : vertices_of(*made.version, dome))
+    EXPECT_NEAR(off_dome(made.version->position(v)), 0, 1e-11);
+  for (const auto v : vertices_of(*made.version, side))
+    EXPECT_NEAR(made.version->position(v).x, 0.018, 1e-15);
 }
 
 TEST_F(KnownGeometry, ABossStandsOnFreeForm) {
