@@ -37,7 +37,7 @@ TopoDS_Shape try_way(const way& one, std::string& fault) {
 cad_verdict replay(const std::filesystem::path& folder, part_model& part, const cad_step& step,
                    const edited_surface& mesh, const teller& tells) {
   cad_verdict verdict;
-  for (const auto& one : ways_of(part, step)) {
+  for (const auto& one : ways_of(part, step, mesh)) {
     std::string fault;
     tells.stage(0.2, "trying \"" + one.name + "\"");
     const auto made = try_way(one, fault);

@@ -4,39 +4,28 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <utility>
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
-#include <BRepAlgoAPI_Common.hxx>
-#include <BRepBndLib.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepOffset_MakeSimpleOffset.hxx>
-#include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRep_Tool.hxx>
-#include <Bnd_Box.hxx>
 #include <GeomAbs_SurfaceType.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
-#include <gp_Ax2.hxx>
 #include <gp_Pln.hxx>
 
 #include "cad/editor/in_place.hpp"
+#include "cad/editor/slab.hpp"
 #include "cad/editor/ways.hpp"
 
 namespace tedit::cad {
 
 namespace {
-
-/// Out of the material.
-gp_Dir outward_of_plane(const TopoDS_Face& face) {
-  const auto plane = BRepAdaptor_Surface(face).Plane();
-  auto normal =
-    plane.Position().Direct() ? plane.Axis().Direction() : plane.Axis().Direction().Reversed();
-  return face.Orientation() == TopAbs_REVERSED ? normal.Reversed() : normal;
-}
 
 bool is_flat(const TopoDS_Face& face) {
   return BRepAdaptor_Surface(face).GetType() == GeomAbs_Plane;
@@ -84,34 +73,6 @@ TopoDS_Shape moved_by_layers(const part_model& part, const std::vector<TopoDS_Fa
   }
   return combined(part, layers, distance > 0 ? body_operation::add : body_operation::cut,
                   owner_of(walls));
-}
-
-/// A box around the part between the plane of a wall and that plane moved.
-TopoDS_Shape slab_of(const TopoDS_Shape& shape, const TopoDS_Face& wall, double distance) {
-  Bnd_Box box;
-  BRepBndLib::Add(shape, box);
-  const double wide = 2 * std::sqrt(box.SquareExtent());
-  const auto normal = outward_of_plane(wall);
-  const auto inward = distance < 0 ? normal.Reversed() : normal;
-  gp_Ax2 place(BRepAdaptor_Surface(wall).Plane().Location(), inward);
-  place.Translate(gp_Vec(place.XDirection()) * -wide / 2 + gp_Vec(place.YDirection()) * -wide / 2);
-  return BRepPrimAPI_MakeBox(place, wide, wide, std::abs(distance)).Shape();
-}
-
-/// Where the part grows wider below a wall a layer straight down would leave a rim.
-TopoDS_Shape moved_by_slab(const part_model& part, const TopoDS_Face& wall, double distance) {
-  const auto slab = slab_of(part.shape, wall, distance);
-  std::vector<TopoDS_Shape> layers;
-  for (const auto& solid : solids_of(part.shape)) {
-    BRepAlgoAPI_Common common(solid, slab);
-    for (const auto& piece : solids_of(common.Shape())) {
-      TopTools_IndexedMapOfShape own;
-      TopExp::MapShapes(piece, TopAbs_FACE, own);
-      if (own.Contains(wall))
-        layers.push_back(piece);
-    }
-  }
-  return layers.empty() ? TopoDS_Shape() : combined(part, layers, body_operation::cut);
 }
 
 /// Its direction as the face goes round it, at its middle.
@@ -190,7 +151,8 @@ TopoDS_Shape rounded(const part_model& part, const std::vector<TopoDS_Face>& wal
 
 }  // namespace
 
-std::vector<way> ways_to_shift(const part_model& part, const cad_step& step) {
+std::vector<way> ways_to_shift(const part_model& part, const cad_step& step,
+                               const edited_surface& mesh) {
   const auto walls =
     std::make_shared<std::vector<TopoDS_Face>>(oriented_faces(part, step.surfaces));
   if (walls->empty())
@@ -199,9 +161,14 @@ std::vector<way> ways_to_shift(const part_model& part, const cad_step& step) {
   std::vector<way> ways{
     {"in place", [&part, &step] { return moved_in_place(part, step); }},
     {"layer", [&part, walls, distance] { return moved_by_layers(part, *walls, distance); }}};
-  if (distance < 0 && walls->size() == 1 && is_flat(walls->front()))
-    ways.push_back(
-      {"slab", [&part, walls, distance] { return moved_by_slab(part, walls->front(), distance); }});
+  if (!std::ranges::all_of(*walls, is_flat))
+    return ways;
+  for (const auto& [name, by] : {std::pair{"slab", slab_division::edges},
+                                 {"slab by edges around", slab_division::edges_around},
+                                 {"slab by planes around", slab_division::planes_around}})
+    ways.push_back({name, [&part, &mesh, walls, distance, by] {
+                      return moved_by_slab(part, *walls, distance, by, mesh);
+                    }});
   return ways;
 }
 

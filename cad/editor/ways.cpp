@@ -103,7 +103,7 @@ TopoDS_Shape combined(const part_model& part, const std::vector<TopoDS_Shape>& t
   return compound_of(result);
 }
 
-std::vector<way> ways_of(const part_model& part, const cad_step& step) {
+std::vector<way> ways_of(const part_model& part, const cad_step& step, const edited_surface& mesh) {
   switch (step.kind) {
     case step_kind::none:
       return {{"as it was", [&part] { return part.shape; }}};
@@ -111,7 +111,7 @@ std::vector<way> ways_of(const part_model& part, const cad_step& step) {
       return ways_to_remove(part, step.surfaces,
                             step.volume_change_mm3 > 0 ? body_operation::add : body_operation::cut);
     case step_kind::shift:
-      return ways_to_shift(part, step);
+      return ways_to_shift(part, step, mesh);
     case step_kind::round:
       return ways_to_round(part, step);
     case step_kind::cut:

@@ -15,13 +15,15 @@ struct way {
   std::function<TopoDS_Shape()> make;  ///< Null or a Standard_Failure: it cannot be done so.
 };
 
-/// Quickest and most exact first.
-[[nodiscard]] std::vector<way> ways_of(const part_model& part, const cad_step& step);
+/// Quickest and most exact first; the last one of some asks the edited mesh. All must outlive them.
+[[nodiscard]] std::vector<way> ways_of(const part_model& part, const cad_step& step,
+                                       const edited_surface& mesh);
 
-// Those of each kind; the part must outlive them.
+// Those of each kind.
 [[nodiscard]] std::vector<way> ways_to_copy(const part_model& part, const cad_step& step);
 [[nodiscard]] std::vector<way> ways_to_hollow(const part_model& part, const cad_step& step);
-[[nodiscard]] std::vector<way> ways_to_shift(const part_model& part, const cad_step& step);
+[[nodiscard]] std::vector<way> ways_to_shift(const part_model& part, const cad_step& step,
+                                             const edited_surface& mesh);
 [[nodiscard]] std::vector<way> ways_to_round(const part_model& part, const cad_step& step);
 [[nodiscard]] std::vector<way> ways_with_tool(const part_model& part, const cad_step& step);
 

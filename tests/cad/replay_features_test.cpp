@@ -81,6 +81,27 @@ protected:
     return result;
   }
 
+  /// The same, and the part goes on so.
+  cad::replayed_edit go(const edit_request& wanted) {
+    auto result = same(wanted);
+    go_on(last_, result);
+    return result;
+  }
+
+  /// The surface all of whose corners have one coordinate (m).
+  [[nodiscard]] surface_id surface_in_plane(int axis, double at) const {
+    for (const auto& row : mesh_->surfaces())
+      if (std::ranges::all_of(facets_of(*mesh_, std::array{row.id}), [&](facet_id f) {
+            return std::ranges::all_of(mesh_->facet(f).v, [&](vertex_id v) {
+              const vec3 p = mesh_->position(v);
+              return std::abs((axis == 0 ? p.x : axis == 1 ? p.y : p.z) - at) < 1e-9;
+            });
+          }))
+        return row.id;
+    ADD_FAILURE() << "no surface is there";
+    return 0;
+  }
+
   checked_edit last_;
 };
 
@@ -163,6 +184,37 @@ TEST_F(ReplayFeatures, AToolAtSeveralPlacesIsOneEdit) {
 
   EXPECT_NEAR(volume_of(holes.model), box_mm3 - 2 * 3 * std::numbers::pi, 1e-6);
   EXPECT_NEAR(volume_of(squares.model), box_mm3 + 3 * 3, 1e-7);
+}
+
+/// A boss of 8 x 8 x 2 mm on the wall x = 0 whose side y = 14 has a fillet of 1.2 mm at its foot:
+/// what is left of the side is smaller than the fillet, which stays, and is run into.
+TEST_F(ReplayFeatures, AWallThatIsThickenedRunsIntoAFilletThatStays) {
+  (void)go({"boss",
+            {1},
+            {{"profile", std::string("rectangle")},
+             {"at", std::string("0,0.01,0.015")},
+             {"size", 0.008},
+             {"width", 0.008},
+             {"height", 0.002}},
+            {}});
+  const auto side = surface_in_plane(1, 0.014);
+  (void)go({"close", {1, side}, {{"radius", 0.0012}}, {}});
+  const auto fillet = mesh_->surfaces().back().id;
+
+  const auto result = go({"thicken", {side}, {{"depth", 0.0005}}, {}});
+
+  EXPECT_EQ(result.verdict.how, "slab");
+  // Between the arc of the fillet and its upper edge, from 0.7 to 1.2 mm before its axis.
+  const double filled =
+    0.72 * (std::numbers::pi / 2 - std::asin(0.7 / 1.2)) - 0.35 * std::sqrt(1.44 - 0.49);
+  EXPECT_NEAR(
+    volume_of(result.model),
+    box_mm3 + 8 * 8 * 2 + 8 * 1.44 * (1 - std::numbers::pi / 4) + 8 * (0.8 * 0.5 + filled), 1e-6);
+  for (const auto f : facets_of(*mesh_, std::array{fillet}))
+    for (const auto v : mesh_->facet(f).v) {
+      const vec3 p = mesh_->position(v);
+      EXPECT_NEAR(std::hypot(p.x + 0.0012, p.y - 0.0152), 0.0012, 1e-12);
+    }
 }
 
 /// A step of 4 mm on the box, and a triangle of 3 x 3 mm, 1 mm thick, in its corner.
