@@ -49,12 +49,13 @@ struct plane_points {
 template <class T>
 bool read_all(std::vector<T>& values, std::size_t count) {
   values.resize(count);
-  return std::fread(values.data(), sizeof(T), count, stdin) == count;
+  return count == 0 || std::fread(values.data(), sizeof(T), count, stdin) == count;
 }
 
 template <class T>
 bool write_all(const std::vector<T>& values) {
-  return std::fwrite(values.data(), sizeof(T), values.size(), stdout) == values.size();
+  return values.empty() ||
+         std::fwrite(values.data(), sizeof(T), values.size(), stdout) == values.size();
 }
 
 bool all_below(const std::vector<std::uint32_t>& values, std::size_t limit) {

@@ -17,7 +17,7 @@ using tedit::ops::exchange_header;
 template <class T>
 bool read_all(std::vector<T>& values, std::size_t count) {
   values.resize(count);
-  return std::fread(values.data(), sizeof(T), count, stdin) == count;
+  return count == 0 || std::fread(values.data(), sizeof(T), count, stdin) == count;
 }
 
 void set_facets(tetgenio& in, const std::vector<std::uint32_t>& triangles) {
