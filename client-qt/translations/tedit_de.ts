@@ -10641,6 +10641,14 @@
         <source>what the reader wrote of the faces&apos; geometry is damaged</source>
         <translation>was das Leseprogramm über die Geometrie der Flächen schrieb, ist beschädigt</translation>
     </message>
+    <message>
+        <source>slab by edges around</source>
+        <translation>Scheibe nach Kanten ringsum</translation>
+    </message>
+    <message>
+        <source>slab by planes around</source>
+        <translation>Scheibe nach Ebenen ringsum</translation>
+    </message>
 </context>
 <context>
     <name>server_lists</name>

@@ -203,7 +203,7 @@ TEST_F(ReplayFeatures, AWallThatIsThickenedRunsIntoAFilletThatStays) {
 
   const auto result = go({"thicken", {side}, {{"depth", 0.0005}}, {}});
 
-  EXPECT_EQ(result.verdict.how, "slab");
+  EXPECT_THAT(result.verdict.how, ::testing::StartsWith("slab"));
   // Between the arc of the fillet and its upper edge, from 0.7 to 1.2 mm before its axis.
   const double filled =
     0.72 * (std::numbers::pi / 2 - std::asin(0.7 / 1.2)) - 0.35 * std::sqrt(1.44 - 0.49);
