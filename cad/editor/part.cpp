@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include <BRepAdaptor_Surface.hxx>
 #include <BRepGProp.hxx>
 #include <BRepGProp_Domain.hxx>
 #include <BRepGProp_Face.hxx>
@@ -12,6 +13,7 @@
 #include <GProp_GProps.hxx>
 #include <TopExp.hxx>
 #include <TopoDS.hxx>
+#include <gp_Pln.hxx>
 
 namespace tedit::cad {
 
@@ -63,6 +65,13 @@ double area_of(const TopoDS_Shape& shape) {
   GProp_GProps properties;
   BRepGProp::SurfaceProperties(shape, properties);
   return properties.Mass();
+}
+
+gp_Dir outward_of_plane(const TopoDS_Face& face) {
+  const auto plane = BRepAdaptor_Surface(face).Plane();
+  const auto normal =
+    plane.Position().Direct() ? plane.Axis().Direction() : plane.Axis().Direction().Reversed();
+  return face.Orientation() == TopAbs_REVERSED ? normal.Reversed() : normal;
 }
 
 }  // namespace tedit::cad

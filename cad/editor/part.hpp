@@ -7,6 +7,7 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
+#include <gp_Dir.hxx>
 
 #include "cad/editing.hpp"
 #include "cad/exchange.hpp"
@@ -35,5 +36,8 @@ struct part_model {  // NOLINT(bugprone-exception-escape): to move a map of Open
 [[nodiscard]] double volume_below(const TopoDS_Face& face);
 
 [[nodiscard]] double area_of(const TopoDS_Shape& shape);
+
+/// Out of the material. @pre the face is flat.
+[[nodiscard]] gp_Dir outward_of_plane(const TopoDS_Face& face);
 
 }  // namespace tedit::cad

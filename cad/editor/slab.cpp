@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <set>
 
 #include <BOPAlgo_Splitter.hxx>
 #include <BOPTools_AlgoTools3D.hxx>
@@ -45,31 +46,50 @@ constexpr int most_points = 9;
 constexpr double along_slab = 1e-3;
 constexpr double about_upright = 0.866;
 
-vec3 at(const std::array<double, 3>& p) {
-  return {p[0], p[1], p[2]};
-}
-
-/// How often a closed surface goes round p: the solid angle that each triangle takes up there (van
-/// Oosterom and Strackee 1983), over a full one.
-double windings(const edited_surface& mesh, vec3 p) {
-  double sum = 0;
-  for (const auto& t : mesh.triangles) {
-    if (t[4] == triangle_gone)
-      continue;
-    const vec3 a = at(mesh.points[static_cast<std::size_t>(t[0])]) - p;
-    const vec3 b = at(mesh.points[static_cast<std::size_t>(t[1])]) - p;
-    const vec3 c = at(mesh.points[static_cast<std::size_t>(t[2])]) - p;
-    const double x = norm(a);
-    const double y = norm(b);
-    const double z = norm(c);
-    sum += 2 * std::atan2(dot(a, cross(b, c)),
-                          x * y * z + dot(a, b) * z + dot(b, c) * x + dot(c, a) * y);
+/// Where the edited mesh has material.
+class mesh_inside {
+public:
+  mesh_inside(const part_model& part, const edited_surface& mesh) : mesh_(mesh) {
+    TopTools_IndexedDataMapOfShapeListOfShape solids;
+    TopExp::MapShapesAndAncestors(part.shape, TopAbs_FACE, TopAbs_SOLID, solids);
+    for (Standard_Integer i = 1; i <= part.faces.Extent(); ++i)
+      if (solids.FindFromKey(part.faces(i)).Extent() > 1) {
+        const auto& ids = part.facts.faces[static_cast<std::size_t>(i - 1)].ids;
+        between_.insert(ids.begin(), ids.end());
+      }
   }
-  return sum / (4 * std::numbers::pi);
-}
+
+  /// Does the boundary go round p? The solid angle that each triangle takes up there (van Oosterom
+  /// and Strackee 1983), over a full one; faces between two solids are no boundary.
+  [[nodiscard]] bool operator()(vec3 p) const {
+    double sum = 0;
+    for (const auto& t : mesh_.triangles) {
+      if (t[4] == triangle_gone || between_.contains(t[3]))
+        continue;
+      const vec3 a = at(t[0]) - p;
+      const vec3 b = at(t[1]) - p;
+      const vec3 c = at(t[2]) - p;
+      const double x = norm(a);
+      const double y = norm(b);
+      const double z = norm(c);
+      sum += 2 * std::atan2(dot(a, cross(b, c)),
+                            x * y * z + dot(a, b) * z + dot(b, c) * x + dot(c, a) * y);
+    }
+    return sum > 2 * std::numbers::pi;
+  }
+
+private:
+  [[nodiscard]] vec3 at(std::int32_t i) const {
+    const auto& p = mesh_.points[static_cast<std::size_t>(i)];
+    return {p[0], p[1], p[2]};
+  }
+
+  const edited_surface& mesh_;
+  std::set<int> between_;
+};
 
 /// Is most of a piece material of the edited mesh?
-bool is_filled(const TopoDS_Shape& piece, double height, const edited_surface& mesh) {
+bool is_filled(const TopoDS_Shape& piece, double height, const mesh_inside& is_inside) {
   BRepClass3d_SolidClassifier inside(piece);
   const Handle(IntTools_Context) context = new IntTools_Context;
   int asked = 0;
@@ -92,7 +112,7 @@ bool is_filled(const TopoDS_Shape& piece, double height, const edited_surface& m
       if (inside.State() != TopAbs_IN)
         continue;
       ++asked;
-      filled += windings(mesh, {p.X(), p.Y(), p.Z()}) > 0.5 ? 1 : 0;
+      filled += is_inside({p.X(), p.Y(), p.Z()}) ? 1 : 0;
       break;
     }
   }
@@ -199,44 +219,54 @@ private:
   gp_Pnt middle_;
 };
 
-/// The pieces of a slab inside the part, or outside it, as the sides of the wall divide them.
-std::vector<TopoDS_Shape> pieces_of(const TopoDS_Shape& solid, const TopoDS_Face& wall,
-                                    double distance, slab_division by) {
-  const auto slab = slab_of(solid, wall, distance);
-  const auto rest =
-    distance < 0 ? BRepAlgoAPI_Common(slab, solid).Shape() : BRepAlgoAPI_Cut(slab, solid).Shape();
+/// The pieces of a slab inside the wall's own solid, or outside all, as they may be divided.
+std::vector<TopoDS_Shape> pieces_of(const part_model& part, const TopoDS_Shape& own,
+                                    const TopoDS_Face& wall, double distance, slab_division by) {
+  const auto slab = slab_of(part.shape, wall, distance);
+  const auto rest = distance < 0 ? BRepAlgoAPI_Common(slab, own).Shape()
+                                 : BRepAlgoAPI_Cut(slab, part.shape).Shape();
   BOPAlgo_Splitter splitter;
   for (const auto& piece : solids_of(rest))
     splitter.AddArgument(piece);
   const gp_Vec way = gp_Vec(outward_of_plane(wall)) * distance;
-  for (const auto& one : divider_finder(solid, wall, way).find(by))
+  for (const auto& one : divider_finder(own, wall, way).find(by))
     splitter.AddTool(one);
   splitter.SetNonDestructive(true);
   splitter.Perform();
   return splitter.HasErrors() ? std::vector<TopoDS_Shape>() : solids_of(splitter.Shape());
 }
 
-}  // namespace
-
-gp_Dir outward_of_plane(const TopoDS_Face& face) {
-  const auto plane = BRepAdaptor_Surface(face).Plane();
-  const auto normal =
-    plane.Position().Direct() ? plane.Axis().Direction() : plane.Axis().Direction().Reversed();
-  return face.Orientation() == TopAbs_REVERSED ? normal.Reversed() : normal;
+/// Null where that is none, or two.
+TopoDS_Shape owner_of_all(const part_model& part, const std::vector<TopoDS_Face>& walls) {
+  TopTools_IndexedDataMapOfShapeListOfShape solids;
+  TopExp::MapShapesAndAncestors(part.shape, TopAbs_FACE, TopAbs_SOLID, solids);
+  TopoDS_Shape owner;
+  for (const auto& wall : walls)
+    for (const auto& solid : solids.FindFromKey(wall)) {
+      if (!owner.IsNull() && !owner.IsSame(solid))
+        return {};
+      owner = solid;
+    }
+  return owner;
 }
+
+}  // namespace
 
 TopoDS_Shape moved_by_slab(const part_model& part, const std::vector<TopoDS_Face>& walls,
                            double distance_mm, slab_division by, const edited_surface& mesh) {
-  if (solids_of(part.shape).size() != 1)
+  const auto own = owner_of_all(part, walls);
+  if (own.IsNull())
     return {};
+  const mesh_inside is_inside(part, mesh);
   std::vector<TopoDS_Shape> changed;
   for (const auto& wall : walls)
-    for (const auto& piece : pieces_of(part.shape, wall, distance_mm, by))
-      if (is_filled(piece, std::abs(distance_mm), mesh) == (distance_mm > 0))
+    for (const auto& piece : pieces_of(part, own, wall, distance_mm, by))
+      if (is_filled(piece, std::abs(distance_mm), is_inside) == (distance_mm > 0))
         changed.push_back(piece);
   return changed.empty()
            ? TopoDS_Shape()
-           : combined(part, changed, distance_mm > 0 ? body_operation::add : body_operation::cut);
+           : combined(part, changed, distance_mm > 0 ? body_operation::add : body_operation::cut,
+                      [&](const TopoDS_Shape& solid) { return solid.IsSame(own); });
 }
 
 }  // namespace tedit::cad

@@ -2,14 +2,9 @@
 // Flat walls that move, by the pieces of a slab that the mesh has.
 #pragma once
 
-#include <gp_Dir.hxx>
-
 #include "cad/editor/ways.hpp"
 
 namespace tedit::cad {
-
-/// Out of the material. @pre the face is flat.
-[[nodiscard]] gp_Dir outward_of_plane(const TopoDS_Face& face);
 
 /// What divides a slab beside the part itself.
 enum class slab_division {
@@ -22,7 +17,7 @@ enum class slab_division {
 /// `distance_mm` (below zero: into the part), as far as the edited mesh has done so: the slab is
 /// divided by the part, and where the mesh may end what it changes, and of each piece the mesh says
 /// whether it is material. So it does not matter whether a neighbour is run into, cut, or left with
-/// a step. Null where the part is not one solid or no piece changes.
+/// a step. Null where the walls are of several solids or no piece changes.
 [[nodiscard]] TopoDS_Shape moved_by_slab(const part_model& part,
                                          const std::vector<TopoDS_Face>& walls, double distance_mm,
                                          slab_division by, const edited_surface& mesh);
