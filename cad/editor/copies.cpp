@@ -21,6 +21,13 @@
 
 #include "cad/editor/feature.hpp"
 
+#ifdef __SANITIZE_ADDRESS__
+/// OpenCASCADE 7.6 gives back with `delete` what IntCurvesFace_ShapeIntersector has from `new[]`.
+extern "C" const char* __asan_default_options() {
+  return "alloc_dealloc_mismatch=0";
+}
+#endif
+
 namespace tedit::cad {
 
 namespace {
