@@ -23,7 +23,7 @@
 
 #ifdef __SANITIZE_ADDRESS__
 /// OpenCASCADE 7.6 gives back with `delete` what IntCurvesFace_ShapeIntersector has from `new[]`.
-extern "C" const char* __asan_default_options() {
+extern "C" [[gnu::visibility("default")]] const char* __asan_default_options() {
   return "alloc_dealloc_mismatch=0";
 }
 #endif
