@@ -140,6 +140,14 @@ struct edit_in_work {
   double volume_change = 0;  ///< m^3
 };
 
+/// It goes on with a version in which these tets are new or changed as well.
+void go_on(edit_in_work& edit, version_ptr version, const std::vector<tet_id>& more) {
+  edit.version = std::move(version);
+  std::unordered_set<tet_id> touched(edit.touched.begin(), edit.touched.end());
+  touched.insert(more.begin(), more.end());
+  edit.touched = live_in(*edit.version, touched);
+}
+
 expected<void> settle(const mesh_version& base, double floor, const execution& run,
                       edit_in_work& edit) {
   const auto settled = settle_on_walls(base, edit.version, floor, run);
@@ -148,10 +156,7 @@ expected<void> settle(const mesh_version& base, double floor, const execution& r
   if (!*settled)
     return {};
   edit.volume_change += boundary_growth(*edit.version, *(*settled)->version);
-  edit.version = (*settled)->version;
-  std::unordered_set<tet_id> touched(edit.touched.begin(), edit.touched.end());
-  touched.insert((*settled)->touched.begin(), (*settled)->touched.end());
-  edit.touched = live_in(*edit.version, touched);
+  go_on(edit, (*settled)->version, (*settled)->touched);
   return {};
 }
 
@@ -165,11 +170,7 @@ expected<improve_report> improve_as_wanted(const improve_request& wanted,
   auto report = improve(builder, edit.touched, settings_of(wanted, settings), run);
   if (!report)
     return fail(report.error());
-  std::unordered_set<tet_id> touched(edit.touched.begin(), edit.touched.end());
-  for (const auto t : builder.touched())
-    touched.insert(t);
-  edit.version = builder.freeze();
-  edit.touched = live_in(*edit.version, touched);
+  go_on(edit, builder.freeze(), builder.touched());
   if (wanted.how == improvement::thorough && wanted.thorough.tolerance.allows_any())
     edit.volume_change += boundary_growth(*before, *edit.version);
   return report;
@@ -209,7 +210,7 @@ expected<finished_edit> finish_edit(const version_ptr& base, const version_ptr& 
   final_claim.volume_change = result.volume_change;
   final_claim.quality_floor = floor;
   const auto report = check_edit(*base, *result.version, final_claim);
-  if (!report.ok() && is_settled) {
+  if (!report.ok() && is_settled) {  // What does not hold so may hold as it was made.
     auto as_made = settings;
     as_made.settle = false;
     return finish_edit(base, candidate, claim, wanted, as_made, run);

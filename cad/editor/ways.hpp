@@ -15,7 +15,8 @@ struct way {
   std::function<TopoDS_Shape()> make;  ///< Null or a Standard_Failure: it cannot be done so.
 };
 
-/// Quickest and most exact first; the last one of some asks the edited mesh. All must outlive them.
+/// Quickest and most exact first; the last ones of some ask the edited mesh. What they are given
+/// must outlive them.
 [[nodiscard]] std::vector<way> ways_of(const part_model& part, const cad_step& step,
                                        const edited_surface& mesh);
 

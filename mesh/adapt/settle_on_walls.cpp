@@ -171,8 +171,9 @@ private:
     if (!fresh)
       return row->second;
     const auto now = facets_of(candidate_, std::array{id});
-    const auto before = facets_of(base_, std::array{id});
-    auto known = wall_before(id, before);
+    const auto before =
+      may_be_round(id) ? facets_of(base_, std::array{id}) : std::vector<facet_id>();
+    auto known = before.empty() ? std::nullopt : wall_before(id, before);
     if (known && is_where_it_was(*known, before, now))
       row->second = {std::move(known), true};
     else
@@ -184,8 +185,6 @@ private:
   /// corners say exactly what they are.
   [[nodiscard]] std::optional<exact_wall> wall_before(surface_id id,
                                                       const std::vector<facet_id>& facets) const {
-    if (facets.empty() || !may_be_round(id))
-      return std::nullopt;
     const auto corners = corners_of(base_, facets);
     if (base_.find_surface(id)->geometry.type != surface_geometry::kind::none)
       return known_wall(base_, facets, corners);
