@@ -16,4 +16,5 @@ if ! cmake --preset "$preset" >"$log" 2>&1; then
 fi
 targets=()
 [ $# -gt 0 ] && targets=(--target "$@")
-cmake --build "$build" "${targets[@]}"
+# As many compilers as processors: each may take 2 GB.
+cmake --build "$build" -j "$(nproc)" "${targets[@]}"

@@ -17,7 +17,7 @@ ROOMS = ["base", "mesh", "fem", "edit", "ops", "cad", "scan", "decks", "protocol
 # Read by developers, integrators and operators alone: the kits of plugins, input decks and file headers, what is said
 # of bytes that two programs of one release send each other, logs; what "tedit doc" alone says.
 LEFT_OUT = re.compile(r"""
-    ops/(conformance|probe|sdk|mesher)/ | ops/loader/(plugin_fit|probe|operation_log|child_operation|edit_answer)
+    ops/(conformance|probe|sdk)/ | ops/loader/(plugin_fit|probe|operation_log|child_operation|edit_answer)
   | ops/[a-z_]+/operation\. | ops/tools/(profile_parameters|tools\.)
   | fem/(calculix_deck|quantities) | mesh/(layout|manifest|paged_array|formats\.hpp|version\.) | mesh/io/((vtu|obj|stl|ply)_writer|threemf_model)
   | base/tracing/ | base/(error|metrics|random_token|virtual_display|process_usage|forked_call|units|child_process)

@@ -52,5 +52,6 @@ if [ "$preset" = tsan ]; then
 elif [ "$preset" = asan ]; then
   export LSAN_OPTIONS="suppressions=$PWD/tests/support/lsan.supp ${LSAN_OPTIONS:-}"
 fi
-ctest --test-dir "$build" --output-on-failure -j2 "$@"
+# One more than processors: many a test mostly waits.
+ctest --test-dir "$build" --output-on-failure -j$(($(nproc) + 1)) "$@"
 echo "install, checks and build $((built - started)) s, tests $((SECONDS - built)) s"

@@ -43,7 +43,7 @@ std::string suffix_of(const std::string& file_name) {
   return suffix;
 }
 
-expected<void> write(const fs::path& file, const std::vector<page_ptr>& pages) {
+expected<void> write_sent_file(const fs::path& file, const std::vector<page_ptr>& pages) {
   std::ofstream out(file, std::ios::binary);
   for (const auto& one : pages)
     out.write(reinterpret_cast<const char*>(one->bytes().data()),
@@ -57,7 +57,7 @@ expected<void> write(const fs::path& file, const std::vector<page_ptr>& pages) {
 expected<part_document> make_document(const part_order& order, std::chrono::seconds limit,
                                       const fs::path& folder, const execution& run) {
   const auto file = folder / ("part" + suffix_of(order.file_name));
-  if (auto written = write(file, order.file); !written)
+  if (auto written = write_sent_file(file, order.file); !written)
     return fail(std::move(written.error()));
   scan::part_file_request request{file, order.length_unit, order.size};
   for (const auto& one : order.local_sizes)

@@ -31,7 +31,7 @@ struct draft_file {
   ~draft_file() { remove(); }
 };
 
-expected<void> write(const fs::path& file, const std::vector<page_ptr>& bytes) {
+expected<void> write_durably(const fs::path& file, const std::vector<page_ptr>& bytes) {
   const unique_fd out(::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600));
   bool good = static_cast<bool>(out);
   for (auto p = bytes.begin(); good && p != bytes.end(); ++p)
@@ -74,7 +74,7 @@ expected<void> adopt(const fs::path& file, const std::vector<page_ptr>& bytes) {
   const draft_file draft{store::draft_of(file)};
   draft.remove();  // What a kill left.
   return store::check_place(file)
-    .and_then([&] { return write(draft.path, bytes); })
+    .and_then([&] { return write_durably(draft.path, bytes); })
     .and_then([&] { return check(draft.path); })
     .and_then([&] { return give_name(draft.path, file); })
     .map_error([&](const error& why) { return named_error(why, draft.path.string(), "the file"); });

@@ -70,7 +70,7 @@ dragged_value drag_number(const handle_drag& d, QPointF to, bool free) {
   const auto& one = *d.from.of;
   const bool is_round = one.what == kind::ring || d.from.line.size() > 2;
   const double moved = is_round ? moved_outward(d, to) : moved_along(d, to);
-  const double step = round_step(d.by.metres_per_pixel(d.from.root) / one.half);
+  const double step = drag_step(d.by.metres_per_pixel(d.from.root) / one.half);
   const double value = d.from.value + moved / one.half;
   return {within(one, free ? rounded(value, finest) : rounded(value, step)), {}};
 }
@@ -125,7 +125,7 @@ dragged_value drag_way(const handle_drag& d, QPointF to, bool free) {
   if (free)
     return {vector_text(way, finest), {}};
   const double pixel = d.by.metres_per_pixel(end);
-  const double step = round_step(pixel);
+  const double step = drag_step(pixel);
   for (std::size_t i = 0; i < part_axes.size(); i += 2) {
     // The arrow's end beside the axis on the screen, and the axis is to be seen at all.
     const auto on_axis =

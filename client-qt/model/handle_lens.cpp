@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "client-qt/model/round_step.hpp"
+
 namespace tedit::desktop {
 
 double pixels_between(QPointF a, QPointF b) {
@@ -53,12 +55,8 @@ vec3 on_sphere(const std::array<vec3, 2>& ray, const vec3& middle, double radius
   return nearest + (near ? -1 : 1) * std::sqrt(rest) * way;
 }
 
-double round_step(double least) {
-  const double power = std::pow(10, std::floor(std::log10(std::max(least, 1e-12))));
-  for (const double one : {1.0, 2.0, 5.0})
-    if (one * power >= least * (1 - 1e-9))
-      return one * power;
-  return 10 * power;
+double drag_step(double least) {
+  return round_step(std::max(least, 1e-12));
 }
 
 }  // namespace tedit::desktop

@@ -42,8 +42,8 @@ struct lens {
 [[nodiscard]] vec3 on_sphere(const std::array<vec3, 2>& ray, const vec3& middle, double radius,
                              bool near);
 
-/// The least of 1, 2, 5, 10, ... times a power of ten that is not less, m: what a drag moves by.
-[[nodiscard]] double round_step(double least);
+/// What a drag moves by, m: the next round step (`round_step`), however small a pixel is.
+[[nodiscard]] double drag_step(double least);
 
 [[nodiscard]] double pixels_between(QPointF a, QPointF b);
 

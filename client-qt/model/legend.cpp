@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "client-qt/model/quantities.hpp"
+#include "client-qt/model/round_step.hpp"
 
 namespace tedit::desktop {
 
@@ -151,15 +152,6 @@ float quantile(std::vector<sample>& all, double share) {
     }
   }
   return first->value;
-}
-
-/// 1, 2 or 5 times a power of ten, at least `raw`.
-double round_step(double raw) {
-  const double power = std::pow(10.0, std::floor(std::log10(raw)));
-  for (const double factor : {1.0, 2.0, 5.0})
-    if (factor * power >= raw * (1 - 1e-9))
-      return factor * power;
-  return 10 * power;
 }
 
 }  // namespace

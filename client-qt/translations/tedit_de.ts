@@ -10649,6 +10649,30 @@
         <source>slab by planes around</source>
         <translation>Scheibe nach Ebenen ringsum</translation>
     </message>
+    <message>
+        <source>a closed surface has at least four triangles</source>
+        <translation>eine geschlossene Oberfläche hat mindestens vier Dreiecke</translation>
+    </message>
+    <message>
+        <source>no tets fit between the walls there (%1)</source>
+        <translation>zwischen die Wände dort passen keine Tetraeder (%1)</translation>
+    </message>
+    <message>
+        <source>the mesher did not keep the surface&apos;s triangles</source>
+        <translation>der Vernetzer hat die Dreiecke der Oberfläche nicht behalten</translation>
+    </message>
+    <message>
+        <source>the mesher left gaps</source>
+        <translation>der Vernetzer hat Lücken gelassen</translation>
+    </message>
+    <message>
+        <source>the mesher made a flat tet</source>
+        <translation>der Vernetzer hat ein flaches Tetraeder gemacht</translation>
+    </message>
+    <message>
+        <source>the mesher moved a point of the surface</source>
+        <translation>der Vernetzer hat einen Punkt der Oberfläche verschoben</translation>
+    </message>
 </context>
 <context>
     <name>server_lists</name>

@@ -109,7 +109,7 @@ void lean(const json& value, const std::string& what) {
   number_from(value, {0, 90, "degrees"}, what);
 }
 
-void print_check(const json& value, const std::string& what) {
+void print_limits(const json& value, const std::string& what) {
   if (!value.is_null())
     check_fields(
       value,
@@ -142,7 +142,7 @@ const std::vector<std::vector<field>>& kinds() {
     {{"view", text}},
     {{"camera", camera}},
     {{"section", section}},
-    {{"print_check", print_check}},
+    {{"print_check", print_limits}},
     {{"box", list<part, 4, 4>}, {"enclosed", flag, false}},
     {{"hidden", ids}},
     {{"probe", probe}},

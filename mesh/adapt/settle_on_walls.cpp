@@ -27,7 +27,7 @@ constexpr double moved_off = 1e-6;
 /// wall: one that the edit has moved.
 constexpr double beyond_chords = 0.1;
 /// Of the longest edge around: vertices do not go further.
-constexpr double furthest_share = 0.5;
+constexpr double longest_way_share = 0.5;
 /// Planes whose normals differ by less are one.
 constexpr double one_plane_cosine = 1 - 1e-9;
 /// On the way a tet may become as bad as this; what is worse than that is mended.
@@ -35,7 +35,7 @@ constexpr double on_the_way = 0.03;
 constexpr double mend_below = 0.3;
 constexpr double least_step = 1.0 / 8;
 /// Cosine: a facet turns by less.
-constexpr double least_turn = 0.5;
+constexpr double most_turn_cosine = 0.5;
 /// So many times what is in the way is left where it is.
 constexpr int most_rounds = 6;
 
@@ -145,7 +145,7 @@ private:
     const auto place = place_on_walls(demands, at);
     const double way = norm(place.at - at);
     const bool goes = place.found && place.after < place.before && way > off_wall * longest &&
-                      way <= furthest_share * longest;
+                      way <= longest_way_share * longest;
     return goes ? std::optional(place.at) : std::nullopt;
   }
 
@@ -293,7 +293,7 @@ private:
         blame(mesh_.tet_at(t).v);
     }
     for (const auto& [f, was] : normals)
-      if (!(dot(normal_of(f), was) > least_turn))
+      if (!(dot(normal_of(f), was) > most_turn_cosine))
         blame(mesh_.facet(f).v);
     return bad;
   }

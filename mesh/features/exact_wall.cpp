@@ -31,7 +31,7 @@ constexpr double tip_share = 1e-3;
 constexpr double degree = std::numbers::pi / 180;
 /// Gaps between corners around an axis, where some of the way around is not of the wall, and where
 /// all of it is.
-constexpr double widest_gap = 75 * degree;
+constexpr double widest_gap_angle = 75 * degree;
 constexpr double widest_closed_gap = 55 * degree;
 
 /// What is this near to its walls, as a share of their radius, is on them.
@@ -262,7 +262,7 @@ bool has_round_corners(const exact_wall& wall, std::span<const vec3> points) {
   if (wall.sphere_radius > 0 || wall.is_known)
     return true;
   const auto [first, second] = gaps_around(wall.shape, points);
-  return first < widest_gap ? first <= widest_closed_gap : second <= widest_gap;
+  return first < widest_gap_angle ? first <= widest_closed_gap : second <= widest_gap_angle;
 }
 
 std::array<double, 2> gaps_around(const wall_shape& shape, std::span<const vec3> points) {

@@ -12,7 +12,7 @@ namespace {
 constexpr double on_wall = 1e-7;
 /// What a mesher or its repair has moved: so much of the corners, or one, by so much.
 constexpr double few_corners = 0.03;
-constexpr double furthest = 0.02;
+constexpr double furthest_off = 0.02;
 
 /// The geometry of the one surface that all facets are of; null where there is none.
 const surface_geometry* geometry_of(const mesh_version& mesh, std::span<const facet_id> facets) {
@@ -106,7 +106,7 @@ bool holds(const facet_corners& corners, const exact_wall& wall, double scale) {
   std::size_t beside = 0;
   for (const auto& p : corners.points) {
     const double off = std::abs(wall.distance(p));
-    if (!(off <= furthest * scale))
+    if (!(off <= furthest_off * scale))
       return false;
     beside += off > near ? 1 : 0;
   }
@@ -126,7 +126,7 @@ std::optional<exact_wall> known_wall(const mesh_version& mesh, std::span<const f
   if (!has_radii(geometry->type, wall))
     return std::nullopt;
   const double scale = scale_of(corners.points, wall);
-  wall.vague = std::clamp(wall.vague, 0.0, furthest * scale);
+  wall.vague = std::clamp(wall.vague, 0.0, furthest_off * scale);
   if (!holds(corners, wall, scale))
     return std::nullopt;
   turn_outward(corners, wall);

@@ -10,7 +10,7 @@ namespace tedit {
 namespace {
 
 // A binary file: text, the number of triangles, the triangles.
-constexpr std::size_t header_bytes = 80;
+constexpr std::size_t stl_header_bytes = 80;
 constexpr std::size_t triangle_bytes = 50;
 
 void put_float3(std::ostream& out, vec3 value) {
@@ -27,10 +27,10 @@ bool stl::recognises(std::span<const char> bytes) {
   if (std::string_view(bytes.data(), bytes.size()).starts_with("solid "))
     return true;
   std::uint32_t count = 0;
-  if (bytes.size() < header_bytes + sizeof(count))
+  if (bytes.size() < stl_header_bytes + sizeof(count))
     return false;
-  std::memcpy(&count, bytes.data() + header_bytes, sizeof(count));
-  return bytes.size() == header_bytes + sizeof(count) + std::size_t{count} * triangle_bytes;
+  std::memcpy(&count, bytes.data() + stl_header_bytes, sizeof(count));
+  return bytes.size() == stl_header_bytes + sizeof(count) + std::size_t{count} * triangle_bytes;
 }
 
 expected<void> stl::write(const file_target& to, const mesh_version& mesh,
@@ -40,7 +40,7 @@ expected<void> stl::write(const file_target& to, const mesh_version& mesh,
     return fail(unit.error());
   return to.write([&](std::ostream& out) {
     std::string header = "TEdit boundary, unit " + terms.length_unit;
-    header.resize(header_bytes, ' ');
+    header.resize(stl_header_bytes, ' ');
     out << header;
     const std::uint32_t count = mesh.facet_count();
     out.write(reinterpret_cast<const char*>(&count), sizeof(count));

@@ -14,7 +14,7 @@ namespace {
 /// Of the tool's least extent and the local size: how far chords may be off their walls, and how
 /// far around the tool.
 constexpr double chord_share = 0.02;
-constexpr double around = 0.5;
+constexpr double around_share = 0.5;
 /// Larger parts are not copied for it: their chords are short.
 constexpr std::uint32_t most_tets = 400'000;
 /// More tets than these are not made for an edit's sake: the tool is not small then.
@@ -45,7 +45,7 @@ expected<rounder_part> with_shorter_chords(const version_ptr& part, const tool_s
   box extent = extent_of(tool);
   const vec3 wide = extent.high - extent.low;
   const double least = std::min({wide.x, wide.y, wide.z, size});
-  extent = extent.grown(around * least);
+  extent = extent.grown(around_share * least);
   if (!has_chords(*part, near, walls, extent, chord_share * least))
     return result;
   adapt_mesh work(*part);

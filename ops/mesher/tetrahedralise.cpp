@@ -199,18 +199,8 @@ private:
   bool has_gaps_ = false;
 };
 
-}  // namespace
-
-std::filesystem::path mesher_program() {
-  return helper_program("tedit-mesher");
-}
-
-std::vector<std::filesystem::path> programs_of_operations() {
-  return {mesher_program(), helper_program(formats::med::program)};
-}
-
-expected<tet_filling> tetrahedralise_surface(const closed_surface& shell, const execution& run,
-                                             double least_quality) {
+expected<tet_filling> filled(const closed_surface& shell, const execution& run,
+                             double least_quality) {
   if (shell.points.size() < 4 || shell.triangles.size() < 4)
     return fail(ec::mesher_failed, "a closed surface has at least four triangles");
   const normalisation units(shell.points);
@@ -237,6 +227,28 @@ expected<tet_filling> tetrahedralise_surface(const closed_surface& shell, const 
   if (auto ok = inside_only(shell, *filling).keep(); !ok)
     return fail(ok.error());
   return filling;
+}
+
+}  // namespace
+
+std::filesystem::path mesher_program() {
+  return helper_program("tedit-mesher");
+}
+
+std::vector<std::filesystem::path> programs_of_operations() {
+  return {mesher_program(), helper_program(formats::med::program)};
+}
+
+expected<tet_filling> tetrahedralise_surface(const closed_surface& shell, const execution& run,
+                                             double least_quality) {
+  auto made = filled(shell, run, least_quality);
+  // How the mesher ended says nothing to who made the edit.
+  if (!made && made.error().code == ec::mesher_failed) {
+    auto why = made.error();
+    why.message = "no tets fit between the walls there (" + why.message + ")";
+    return fail(std::move(why));
+  }
+  return made;
 }
 
 }  // namespace tedit::ops

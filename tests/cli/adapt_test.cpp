@@ -4,12 +4,12 @@
 namespace tedit::test {
 namespace {
 
-const std::string block = parts + "inch_block/inch_block.coarse.msh --device cpu --order 1 " +
+const std::string loaded_block = parts + "inch_block/inch_block.coarse.msh --device cpu --order 1 " +
                           "--load-case " + parts + "inch_block/load_case.json";
 
 TEST(Adapt, RefinesUntilTheEstimatedErrorIsWhatWasAskedFor) {
   const auto finer = scratch("finer.msh");
-  const auto made = run("adapt --json " + block + " --error 11 -o " + finer.string());
+  const auto made = run("adapt --json " + loaded_block + " --error 11 -o " + finer.string());
 
   ASSERT_EQ(made.status, 0);
   const auto json = made.parsed();
@@ -32,7 +32,7 @@ TEST(Adapt, RefinesUntilTheEstimatedErrorIsWhatWasAskedFor) {
 }
 
 TEST(Adapt, EndsAtTheLimitOfTetsAndSaysSo) {
-  const auto made = run("adapt --json " + block + " --error 3 --tets 12000");
+  const auto made = run("adapt --json " + loaded_block + " --error 3 --tets 12000");
 
   ASSERT_EQ(made.status, 0);
   const auto json = made.parsed();
@@ -40,11 +40,11 @@ TEST(Adapt, EndsAtTheLimitOfTetsAndSaysSo) {
   EXPECT_EQ(json["ended_by"], "tets");
   EXPECT_LE(json["tets_after"], 12000);
   EXPECT_LT(json["relative_error_after"], json["relative_error_before"]);
-  EXPECT_THAT(run("adapt " + block + " --error 3 --tets 12000").out, HasSubstr("--tets"));
+  EXPECT_THAT(run("adapt " + loaded_block + " --error 3 --tets 12000").out, HasSubstr("--tets"));
 }
 
 TEST(Adapt, WhatIsExactEnoughStaysAsItIs) {
-  const auto made = run("adapt --json " + block + " --error 40").parsed();
+  const auto made = run("adapt --json " + loaded_block + " --error 40").parsed();
 
   EXPECT_TRUE(made["reached"]);
   EXPECT_EQ(made["tets_after"], made["tets_before"]);
@@ -53,8 +53,8 @@ TEST(Adapt, WhatIsExactEnoughStaysAsItIs) {
 
 TEST(Adapt, ItsUsageErrorsAreNamed) {
   EXPECT_EQ(run("adapt " + parts + "inch_block/inch_block.coarse.msh").status, 2);
-  EXPECT_EQ(run("adapt " + block + " --error 0").status, 2);
-  EXPECT_EQ(run("adapt " + block + " -o x.nonsense").status, 2);
+  EXPECT_EQ(run("adapt " + loaded_block + " --error 0").status, 2);
+  EXPECT_EQ(run("adapt " + loaded_block + " -o x.nonsense").status, 2);
 }
 
 }  // namespace

@@ -334,10 +334,10 @@ TEST(HandleLens, MeetsAxesPlanesAndSpheres) {
 }
 
 TEST(HandleLens, StepsAreOneTwoOrFive) {
-  EXPECT_DOUBLE_EQ(round_step(1e-4), 1e-4);
-  EXPECT_DOUBLE_EQ(round_step(1.1e-4), 2e-4);
-  EXPECT_DOUBLE_EQ(round_step(3e-4), 5e-4);
-  EXPECT_DOUBLE_EQ(round_step(6e-4), 1e-3);
+  EXPECT_DOUBLE_EQ(drag_step(1e-4), 1e-4);
+  EXPECT_DOUBLE_EQ(drag_step(1.1e-4), 2e-4);
+  EXPECT_DOUBLE_EQ(drag_step(3e-4), 5e-4);
+  EXPECT_DOUBLE_EQ(drag_step(6e-4), 1e-3);
 }
 
 // -- the ghost ---------------------------------------------------------------------------

@@ -69,7 +69,7 @@ TEST(PickWords, WhatIsNearAnEdgeIsTheEdgeAndTheWallElsewhere) {
   EXPECT_EQ(pick_words(part, 1, {7.99e-3, 2.2e-3, 3e-3}, reach), "surface:1");
 }
 
-lens from_above() {
+lens straight_from_above() {
   lens by;
   by.to_screen = [](const vec3& p) { return QPointF(1e4 * p.x, -1e4 * p.y); };
   by.ray = [](QPointF at) {
@@ -100,28 +100,28 @@ TEST(SnapPlaces, ThePointerIsTakenWithinEightPixels) {
   const auto places = snap_places(bored_wall());
   const vec3 at{6e-3, 2.9e-3, 3e-3};
 
-  const auto rim = snap(places, {4, -24}, from_above(), at, 2, sees_all);
+  const auto rim = snap(places, {4, -24}, straight_from_above(), at, 2, sees_all);
   ASSERT_TRUE(rim);
   EXPECT_EQ(rim->words, "centre of a round edge, Ø 4 mm");
   EXPECT_NEAR(norm(rim->at - vec3{1e-3, 2e-3, 3e-3}), 0, 1e-12);
   EXPECT_EQ(rim->wall, 1);
-  const auto middle = snap(places, {17, -20}, from_above(), at, 2, sees_all);
+  const auto middle = snap(places, {17, -20}, straight_from_above(), at, 2, sees_all);
   ASSERT_TRUE(middle);
   EXPECT_EQ(middle->words, "centre of surface 1") << "the nearer of two";
-  EXPECT_FALSE(snap(places, {1, -20}, from_above(), at, 2, sees_all)) << "9 pixels off";
+  EXPECT_FALSE(snap(places, {1, -20}, straight_from_above(), at, 2, sees_all)) << "9 pixels off";
 }
 
 TEST(SnapPlaces, OrMovedOntoAMiddleLineOfItsWall) {
   const auto places = snap_places(bored_wall());
   const vec3 at{6e-3, 2.5e-3, 3e-3};  // 5 pixels above the wall's middle.
 
-  const auto found = snap(places, {60, -25}, from_above(), at, 1, sees_all);
+  const auto found = snap(places, {60, -25}, straight_from_above(), at, 1, sees_all);
 
   ASSERT_TRUE(found);
   EXPECT_NEAR(norm(found->at - vec3{6e-3, 2e-3, 3e-3}), 0, 1e-12);
   EXPECT_EQ(found->words, "on the middle line of surface 1");
-  EXPECT_FALSE(snap(places, {60, -29}, from_above(), {6e-3, 2.9e-3, 3e-3}, 1, sees_all));
-  EXPECT_FALSE(snap(places, {10, -20}, from_above(), {6e-3, 2.9e-3, 3e-3}, 1,
+  EXPECT_FALSE(snap(places, {60, -29}, straight_from_above(), {6e-3, 2.9e-3, 3e-3}, 1, sees_all));
+  EXPECT_FALSE(snap(places, {10, -20}, straight_from_above(), {6e-3, 2.9e-3, 3e-3}, 1,
                     [](const snap_place&) { return false; }))
     << "what is not in sight takes nothing";
 }

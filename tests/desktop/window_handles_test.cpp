@@ -81,7 +81,7 @@ TEST_F(Handles, DraggingTheDepthChangesTheFieldByWhatThePointerMoved) {
   EXPECT_TRUE(handles().shows_ghost()) << "before the preview is there";
   move(arrow.knob.toPoint() + way);
 
-  const double step = round_step(by.metres_per_pixel(arrow.root));
+  const double step = drag_step(by.metres_per_pixel(arrow.root));
   EXPECT_NEAR(number("depth"), 0.009, 1.01 * step);
   release_at(arrow.knob + way);
   EXPECT_EQ(view().view().get(), camera) << "the part is not turned";

@@ -11,6 +11,7 @@ namespace tedit::fem {
 namespace {
 
 using test::box_mesh;
+using test::patch_field;
 using test::simple_case;
 
 vec3 total(std::span<const double> x) {
@@ -170,11 +171,6 @@ TEST_P(Operator, AgreesWithGaussQuadrature) {
   for (std::size_t i = 0; i < result.size(); ++i)
     ASSERT_NEAR(result[i], expected[i], 1e-13 * scale) << i;
   EXPECT_EQ(result, again);
-}
-
-/// MacNeal & Harder's field.
-vec3 patch_field(vec3 p) {
-  return 1e-3 * vec3{p.x + 0.5 * (p.y + p.z), p.y + 0.5 * (p.x + p.z), p.z + 0.5 * (p.x + p.y)};
 }
 
 TEST_P(Operator, ALinearFieldIsInBalanceAndExact) {

@@ -105,6 +105,11 @@ inline std::vector<double> at_nodes(const problem& p, const std::function<vec3(v
   return result;
 }
 
+/// MacNeal & Harder's field: u = 1e-3 (x + (y+z)/2, y + (x+z)/2, z + (x+y)/2).
+inline vec3 patch_field(vec3 p) {
+  return 1e-3 * vec3{p.x + 0.5 * (p.y + p.z), p.y + 0.5 * (p.x + p.z), p.z + 0.5 * (p.x + p.y)};
+}
+
 /// A point of a box, moved inside so that no two tets are alike.
 inline vec3 shaken_inside(vec3 p, vec3 size) {
   const double s = 0.06 * std::sin(3.141592653589793 * p.x / size.x) *

@@ -32,7 +32,7 @@ solution solution_of(const problem& p) {
   return s;
 }
 
-problem box_problem(int order, std::array<int, 3> cells, vec3 size, const load_case& loads) {
+problem regular_box_problem(int order, std::array<int, 3> cells, vec3 size, const load_case& loads) {
   auto p = make_problem(*box_mesh(cells, size), loads, order);
   EXPECT_TRUE(p.has_value()) << (p ? "" : render(p.error()));
   return p.value_or(problem{});
@@ -50,7 +50,7 @@ load_case tension() {
 class Recovery : public ::testing::TestWithParam<int> {};
 
 TEST_P(Recovery, UniformTensionIsExactEverywhere) {
-  const auto p = box_problem(GetParam(), {3, 2, 2}, {3, 1, 1}, tension());
+  const auto p = regular_box_problem(GetParam(), {3, 2, 2}, {3, 1, 1}, tension());
 
   const auto s = solution_of(p);
 
@@ -76,7 +76,7 @@ TEST_P(Recovery, UniformTensionIsExactEverywhere) {
 }
 
 TEST_P(Recovery, EachRollerGetsTheReactionAlongItsNormal) {
-  const auto p = box_problem(GetParam(), {3, 2, 2}, {3, 1, 1}, tension());
+  const auto p = regular_box_problem(GetParam(), {3, 2, 2}, {3, 1, 1}, tension());
 
   const auto s = solution_of(p);
 
@@ -92,7 +92,7 @@ TEST_P(Recovery, ReactionsOfSurfacesThatShareNodesAddUp) {
   loads.constraints = {
     {{1}, fixed{}}, {{1, 3}, prescribed_displacement{{}, 0.0, 0.0}}, {{6}, roller{}}};
   loads.loads = {{{2}, force{{10, -20, 30}}}, {{}, gravity{{1, 2, 3}}}};
-  const auto p = box_problem(GetParam(), {3, 2, 2}, {2, 1, 1}, loads);
+  const auto p = regular_box_problem(GetParam(), {3, 2, 2}, {2, 1, 1}, loads);
 
   const auto s = solution_of(p);
 
@@ -107,7 +107,7 @@ TEST_P(Recovery, ReactionsOfSurfacesThatShareNodesAddUp) {
 }
 
 TEST_P(Recovery, StressIsNotAveragedAcrossMaterials) {
-  auto p = box_problem(GetParam(), {2, 2, 2}, {1, 1, 1}, simple_case(1e6, 0));
+  auto p = regular_box_problem(GetParam(), {2, 2, 2}, {1, 1, 1}, simple_case(1e6, 0));
   // Stretched side by side: the stress jumps where the materials meet, and that is no error.
   p.constants = {{0, 0.5e6}, {0, 1.5e6}};
   p.densities = {1000, 0};
@@ -141,7 +141,7 @@ TEST_P(Recovery, StressIsNotAveragedAcrossMaterials) {
   }
 }
 
-load_case cantilever() {
+load_case tip_loaded() {
   auto loads = simple_case(210e3, 0.3);
   loads.loads = {{{2}, traction{{0, 0, 1000}}}};
   return loads;
@@ -150,8 +150,8 @@ load_case cantilever() {
 TEST_P(Recovery, TheErrorEstimateFallsWithTheMeshSize) {
   const int n = GetParam() == 1 ? 2 : 1;
   const vec3 size{4, 1, 1};
-  const auto coarse = solution_of(box_problem(GetParam(), {4 * n, n, n}, size, cantilever()));
-  const auto fine = solution_of(box_problem(GetParam(), {8 * n, 2 * n, 2 * n}, size, cantilever()));
+  const auto coarse = solution_of(regular_box_problem(GetParam(), {4 * n, n, n}, size, tip_loaded()));
+  const auto fine = solution_of(regular_box_problem(GetParam(), {8 * n, 2 * n, 2 * n}, size, tip_loaded()));
 
   EXPECT_GT(coarse.relative_error, 0.01);
   EXPECT_LT(fine.relative_error, 0.8 * coarse.relative_error);
@@ -160,7 +160,7 @@ TEST_P(Recovery, TheErrorEstimateFallsWithTheMeshSize) {
 INSTANTIATE_TEST_SUITE_P(Orders, Recovery, ::testing::Values(1, 2));
 
 TEST(QuadraticRecovery, ABentBeamIsNotTooStiff) {
-  const auto p = box_problem(2, {20, 2, 2}, {10, 1, 1}, cantilever());
+  const auto p = regular_box_problem(2, {20, 2, 2}, {10, 1, 1}, tip_loaded());
 
   const auto s = solution_of(p);
 
@@ -170,7 +170,7 @@ TEST(QuadraticRecovery, ABentBeamIsNotTooStiff) {
 }
 
 TEST(QuadraticRecovery, TheRimOfAClampIsCalledSingular) {
-  const auto p = box_problem(2, {8, 4, 4}, {2, 1, 1}, cantilever());
+  const auto p = regular_box_problem(2, {8, 4, 4}, {2, 1, 1}, tip_loaded());
 
   const auto s = solution_of(p);
 
@@ -183,7 +183,7 @@ TEST(QuadraticRecovery, TheRimOfAClampIsCalledSingular) {
 }
 
 TEST(QuadraticRecovery, AReentrantEdgeIsCalledSingular) {
-  auto p = box_problem(2, {8, 8, 2}, {2, 2, 0.5}, simple_case(200e9, 0.3));
+  auto p = regular_box_problem(2, {8, 8, 2}, {2, 2, 0.5}, simple_case(200e9, 0.3));
   // Without one quarter it is an L; the field has the root of the distance to the inner edge.
   problem left = p;
   left.element_nodes.clear();

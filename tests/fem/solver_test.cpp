@@ -8,10 +8,12 @@
 #include <gtest/gtest.h>
 
 #include "fem/native/backend.hpp"
-#include "tests/support/meshes.hpp"
+#include "tests/fem/quadrature.hpp"
 
 namespace tedit::fem {
 namespace {
+
+using test::patch_field;
 
 load_case one_material(double e, double nu) {
   load_case loads;
@@ -33,11 +35,6 @@ vec3 shaken(vec3 p) {
   const double s = 0.07 * std::sin(std::numbers::pi * p.x) * std::sin(std::numbers::pi * p.y) *
                    std::sin(std::numbers::pi * p.z);
   return p + s * vec3{std::sin(7 * p.y), std::cos(5 * p.z), std::sin(3 * p.x + 1)};
-}
-
-/// MacNeal & Harder's field: u = 1e-3 (x + (y+z)/2, y + (x+z)/2, z + (x+y)/2).
-vec3 patch_field(vec3 p) {
-  return 1e-3 * vec3{p.x + 0.5 * (p.y + p.z), p.y + 0.5 * (p.x + p.z), p.z + 0.5 * (p.x + p.y)};
 }
 
 problem patch_problem() {

@@ -12,9 +12,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-version_ptr unit_box() {
-  return test::box_mesh({2, 2, 2}, {1, 1, 1});
-}
+using test::unit_box;
 
 /// Changes one slot of an array behind the builder's back.
 template <class T, class Change>

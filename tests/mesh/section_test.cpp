@@ -13,14 +13,14 @@ namespace {
 using test::box_mesh;
 
 /// Area, and the area seen along the normal: both are the same when all triangles face it.
-struct areas {
+struct facing_areas {
   double area = 0;
   double seen = 0;
 };
 
-areas measure(const mesh_version& mesh, const plane_section& cut, vec3 normal) {
+facing_areas measure(const mesh_version& mesh, const plane_section& cut, vec3 normal) {
   normal = normal / std::sqrt(dot(normal, normal));
-  areas sum;
+  facing_areas sum;
   for (const auto& c : cut.triangles) {
     const vec3 p = cut.position(mesh, c[0]);
     const vec3 n = cross(cut.position(mesh, c[1]) - p, cut.position(mesh, c[2]) - p);

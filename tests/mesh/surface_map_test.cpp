@@ -9,9 +9,7 @@
 namespace tedit {
 namespace {
 
-version_ptr unit_box() {
-  return test::box_mesh({2, 2, 2}, {1, 1, 1});
-}
+using test::unit_box;
 
 TEST(SurfaceMap, EqualVersionsHaveNoChange) {
   EXPECT_TRUE(compare_surfaces(*unit_box(), *unit_box()).empty());

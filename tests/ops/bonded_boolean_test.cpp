@@ -15,6 +15,7 @@
 namespace tedit::ops {
 namespace {
 
+using test::boundary_area;
 using test::bond;
 using test::volume_of;
 
@@ -29,14 +30,6 @@ double interface_area(const mesh_version& mesh) {
     sum +=
       norm(area_vector(mesh.position(row.v[0]), mesh.position(row.v[1]), mesh.position(row.v[2])));
   }
-  return sum;
-}
-
-double boundary_area(const mesh_version& mesh, surface_id surface) {
-  double sum = 0;
-  for (facet_id f = 0; f < mesh.facet_slots(); ++f)
-    if (mesh.is_live_facet(f) && mesh.facet(f).surface == surface)
-      sum += norm(area_vector(mesh, mesh.facet(f)));
   return sum;
 }
 

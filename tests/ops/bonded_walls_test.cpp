@@ -22,6 +22,7 @@
 namespace tedit::ops {
 namespace {
 
+using test::boundary_area;
 using test::volume_of;
 
 constexpr surface_id seam = 9;
@@ -88,13 +89,6 @@ double bond_area(const mesh_version& mesh) {
         sum += norm(area_vector(p[f[0]], p[f[1]], p[f[2]]));
     }
   }
-  return sum;
-}
-
-double boundary_area(const mesh_version& mesh, surface_id surface) {
-  double sum = 0;
-  for (const auto f : facets_of(mesh, std::vector{surface}))
-    sum += norm(area_vector(mesh, mesh.facet(f)));
   return sum;
 }
 

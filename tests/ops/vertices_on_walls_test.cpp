@@ -15,7 +15,7 @@
 namespace tedit::ops {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A round wall by hand: the axis through a point, and the radius there.
 struct by_hand {

@@ -17,6 +17,14 @@ inline double volume_of(const mesh_version& mesh, region_id region) {
   return sum;
 }
 
+/// m^2, of a wall; what of the surface lies between regions does not count.
+inline double boundary_area(const mesh_version& mesh, surface_id surface) {
+  double sum = 0;
+  for (const auto f : facets_of(mesh, std::vector{surface}))
+    sum += norm(area_vector(mesh, mesh.facet(f)));
+  return sum;
+}
+
 /// `box_mesh` with region 1 where x is below its middle and region 2 beyond, bonded there; without
 /// a surface id between them unless `named`.
 inline version_ptr bonded_boxes(std::array<int, 3> cells, vec3 size, bool named = true) {

@@ -68,6 +68,11 @@ inline version_ptr box_mesh(std::array<int, 3> cells, vec3 size,
   return build_version(std::move(raw), 1)->version;
 }
 
+/// The unit cube with surfaces 1 to 6.
+inline version_ptr unit_box() {
+  return box_mesh({2, 2, 2}, {1, 1, 1});
+}
+
 inline std::vector<tet_id> all_tets(const mesh_version& mesh) {
   std::vector<tet_id> result;
   for (tet_id t = 0; t < mesh.tet_slots(); ++t)

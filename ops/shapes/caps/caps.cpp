@@ -53,7 +53,7 @@ std::vector<rim_group> group_by_plane(const std::vector<rim>& rims) {
 }
 
 /// A plane's own coordinates.
-struct frame {
+struct plane_frame {
   vec3 origin;
   vec3 normal;
   vec3 u = normalized(cross(std::abs(normal.x) < 0.6 ? vec3{1, 0, 0} : vec3{0, 1, 0}, normal));
@@ -126,7 +126,7 @@ private:
   }
 
   /// Triangulates loops of plug points in a plane; interior points come after them in `global`.
-  expected<planar_filling> fill_plane(const frame& plane,
+  expected<planar_filling> fill_plane(const plane_frame& plane,
                                       const std::vector<std::vector<std::uint32_t>>& loops,
                                       double spacing, std::vector<std::uint32_t>& global) {
     planar_polygon polygon;
@@ -283,7 +283,7 @@ private:
   planar_polygon unfolded(const rim& r, bool circle) const {
     planar_polygon polygon;
     auto& loop = polygon.loops.emplace_back();
-    const frame plane{r.centre, r.normal};
+    const plane_frame plane{r.centre, r.normal};
     const std::size_t n = r.loop.size();
     const double length = r.mean_edge * static_cast<double>(n);
     double done = 0;
