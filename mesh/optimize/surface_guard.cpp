@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <span>
 
 #include "mesh/face_key.hpp"
 
@@ -42,11 +43,19 @@ double distance_to_triangle(vec3 p, const triangle& t) {
   return inside ? std::min(rim, std::abs(dot(p - t[0], n)) / std::sqrt(square)) : rim;
 }
 
+bool has_corner(std::span<const triangle> patch, vec3 p) {
+  return std::ranges::any_of(patch,
+                             [&](const triangle& t) { return std::ranges::count(t, p) > 0; });
+}
+
 /// The largest distance of the first patch's corners from the second.
-double corners_off(const std::vector<triangle>& from, const std::vector<triangle>& to) {
+double corners_off(std::span<const triangle> from, std::span<const triangle> to) {
   double result = 0;
-  for (const auto& t : from)
-    for (const auto p : t) {
+  for (std::size_t i = 0; i < from.size(); ++i)
+    for (const auto p : from[i]) {
+      // Corners that both have are off by nothing, those of several triangles looked at once.
+      if (has_corner(to, p) || has_corner(from.first(i), p))
+        continue;
       double nearest = unbounded;
       for (const auto& other : to)
         nearest = std::min(nearest, distance_to_triangle(p, other));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <queue>
+#include <ranges>
 
 namespace tedit::ops {
 
@@ -58,7 +59,8 @@ public:
 private:
   // -- looking ---------------------------------------------------------------
 
-  [[nodiscard]] std::vector<sized_edge> edges(bool longest_first = false) const {
+  /// Those whose length is between the limits, the shortest first.
+  [[nodiscard]] std::vector<sized_edge> edges(double least = 0, double most = 1e300) const {
     std::vector<sized_edge> result;
     for (const auto& f : mesh_.faces) {
       if (!f.alive || f.frozen)
@@ -66,14 +68,14 @@ private:
       for (int k = 0; k < 3; ++k) {
         const auto a = f.v[k];
         const auto b = f.v[(k + 1) % 3];
-        if (a < b)
-          result.push_back({mesh_.length(a, b) / mesh_.size(a, b), a, b});
+        if (a >= b)
+          continue;
+        if (const double length = mesh_.length(a, b) / mesh_.size(a, b);
+            length >= least && length <= most)
+          result.push_back({length, a, b});
       }
     }
-    std::ranges::sort(result, [&](const auto& x, const auto& y) {
-      const auto order = [](const auto& e) { return std::tuple(e.length, e.a, e.b); };
-      return longest_first ? order(y) < order(x) : order(x) < order(y);
-    });
+    std::ranges::sort(result, {}, [](const auto& e) { return std::tuple(e.length, e.a, e.b); });
     return result;
   }
 
@@ -152,9 +154,7 @@ private:
   void weld(double tolerance) {
     for (int round = 0; round < 4; ++round) {
       bool changed = false;
-      for (const auto& e : edges()) {
-        if (e.length > tolerance)
-          break;
+      for (const auto& e : edges(0, tolerance)) {
         if (!mesh_.is_edge(e.a, e.b) || mesh_.length(e.a, e.b) > tolerance * mesh_.size(e.a, e.b))
           continue;
         const bool first = goes_first(e.a, e.b);
@@ -240,9 +240,7 @@ private:
   }
 
   void contract_short(double below) {
-    for (const auto& e : edges()) {
-      if (e.length > below)
-        break;
+    for (const auto& e : edges(0, below)) {
       if (!mesh_.is_edge(e.a, e.b))
         continue;
       const bool first = goes_first(e.a, e.b);
@@ -257,9 +255,7 @@ private:
   // -- splitting, turning, moving -------------------------------------------------
 
   void halve_long(double above) {
-    for (const auto& e : edges(true)) {
-      if (e.length < above)
-        break;
+    for (const auto& e : std::views::reverse(edges(above))) {
       const auto at_edge = mesh_.all_faces_of_edge(e.a, e.b);
       if (at_edge.empty())
         continue;

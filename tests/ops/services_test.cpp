@@ -102,6 +102,16 @@ TEST(Tetrahedralise, AnOpenSurfaceIsRefusedAndNothingHangs) {
   EXPECT_TRUE(filling.error().code == ec::mesher_failed || filling.error().code == ec::timeout);
 }
 
+TEST(Tetrahedralise, WhatTheMesherMadeOfItIsToldInTheEditsWords) {
+  closed_surface scrap{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+
+  const auto filling = tetrahedralise_surface(scrap, {});
+
+  ASSERT_FALSE(filling.has_value());
+  EXPECT_EQ(filling.error().message,
+            "no tets fit between the walls there (a closed surface has at least four triangles)");
+}
+
 TEST(Tetrahedralise, TheMesherEndsItselfOnceItHasComputedForSoLong) {
   // Two cones of 4,000 triangles each: TetGen computes for more than 8 s.
   constexpr std::uint32_t ring = 4000;
