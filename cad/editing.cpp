@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "cad/editing.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -184,6 +185,24 @@ expected<edited_surface> load_surface(const std::filesystem::path& folder) {
       return surface;
   }
   return fail(ec::internal, "the surface in the edit's folder is damaged", "Try again");
+}
+
+std::string reason_of(const std::vector<failed_way>& ways) {
+  std::vector<failed_way> rows;
+  for (const auto& one : ways) {
+    const auto same = std::ranges::find(rows, one.fault, &failed_way::fault);
+    if (same == rows.end())
+      rows.push_back(one);
+    else
+      same->name += ", " + one.name;
+  }
+  if (rows.size() > 1)
+    std::erase_if(rows, [](const auto& row) { return row.fault.empty(); });
+  std::string result;
+  for (const auto& row : rows)
+    result += (result.empty() ? "" : "; ") + row.name + ": " +
+              (row.fault.empty() ? "it cannot be done so" : row.fault);
+  return result;
 }
 
 bool save_verdict(const cad_verdict& verdict, const std::filesystem::path& folder) {

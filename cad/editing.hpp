@@ -122,6 +122,17 @@ struct cad_verdict {
   double deviation_mm = 0;  ///< Of new vertices of the mesh from the B-rep's faces, at most.
 };
 
+/// A way that did not do it.
+struct failed_way {
+  std::string name;
+  std::string fault;  ///< Empty: what was asked for cannot be done so at all.
+};
+
+/// Why none did it, for a person: each fault once, behind the ways that had it, as in "layer, slab:
+/// it has 2 solids, the model before 1; plug: ...". Those that could not do it at all are named
+/// only where no other has a fault.
+[[nodiscard]] std::string reason_of(const std::vector<failed_way>& ways);
+
 [[nodiscard]] bool save_verdict(const cad_verdict& verdict, const std::filesystem::path& folder);
 /// Errors: `io_error`, `internal`.
 [[nodiscard]] expected<cad_verdict> load_verdict(const std::filesystem::path& folder);

@@ -24,10 +24,7 @@ error damaged(const std::string& what) {
 /// Nothing where the way leads nowhere.
 TopoDS_Shape try_way(const way& one, std::string& fault) {
   try {
-    const auto made = one.make();
-    if (made.IsNull())
-      fault = "it cannot be done so";
-    return made;
+    return one.make();
   } catch (const Standard_Failure& why) {
     fault = std::string("OpenCASCADE gives up: ") + why.DynamicType()->Name();
     return {};
@@ -36,7 +33,7 @@ TopoDS_Shape try_way(const way& one, std::string& fault) {
 
 cad_verdict replay(const std::filesystem::path& folder, part_model& part, const cad_step& step,
                    const edited_surface& mesh, const teller& tells) {
-  cad_verdict verdict;
+  std::vector<failed_way> failed;
   for (const auto& one : ways_of(part, step, mesh)) {
     std::string fault;
     tells.stage(0.2, "trying \"" + one.name + "\"");
@@ -51,10 +48,11 @@ cad_verdict replay(const std::filesystem::path& folder, part_model& part, const 
       }
       fault = found.fault;
     }
-    verdict.reason += (verdict.reason.empty() ? "" : "; ") + one.name + ": " + fault;
+    failed.push_back({one.name, fault});
   }
-  if (verdict.reason.empty())
-    verdict.reason = "the surfaces are no faces of the CAD model any more";
+  cad_verdict verdict;
+  verdict.reason =
+    failed.empty() ? "the surfaces are no faces of the CAD model any more" : reason_of(failed);
   return verdict;
 }
 

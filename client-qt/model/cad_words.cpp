@@ -16,18 +16,26 @@ struct cad_phrases {
 
 using client::cad_status;
 
-/// Of several ways each has its own: "layer: surface 3 of the mesh is no face of it; plug: ...".
+/// "layer, slab".
+QString names_of_ways(const QString& names) {
+  QStringList result;
+  for (const auto& name : names.split(", "))
+    result << words_of(name.toStdString());
+  return result.join(", ");
+}
+
+/// Of several ways some have their own: "layer, slab: it has 2 solids; plug: ...".
 QString reason_words(const std::string& reason) {
   const auto text = QString::fromStdString(reason);
-  QStringList ways;
-  for (const auto& way : text.split("; ")) {
-    const auto colon = way.indexOf(": ");
-    const auto whole = words_of(way.toStdString());
-    ways << (colon < 0 || whole != way ? whole
-                                       : words_of(way.left(colon).toStdString()) + ": " +
-                                           words_of(way.mid(colon + 2).toStdString()));
+  QStringList faults;
+  for (const auto& one : text.split("; ")) {
+    const auto colon = one.indexOf(": ");
+    const auto whole = words_of(one.toStdString());
+    faults << (colon < 0 || whole != one ? whole
+                                         : names_of_ways(one.left(colon)) + ": " +
+                                             words_of(one.mid(colon + 2).toStdString()));
   }
-  return ways.join("; ");
+  return faults.join("; ");
 }
 
 }  // namespace

@@ -155,6 +155,13 @@ TEST_F(Replay, AShapeThatIsNotTheMeshIsNotTaken) {
   }
 }
 
+TEST(ReasonOfWays, HasEachFaultOnceAndNoWayThatCouldNotBeginWhereAnotherSaysMore) {
+  EXPECT_EQ(reason_of({{"in place", ""}, {"layer", "a"}, {"slab", "b"}, {"plug", "a"}}),
+            "layer, plug: a; slab: b");
+  EXPECT_EQ(reason_of({{"in place", ""}, {"layer", ""}}), "in place, layer: it cannot be done so");
+  EXPECT_EQ(reason_of({{"layer", "a"}}), "layer: a");
+}
+
 TEST_F(Replay, WhatNoOneKnowsToDoOnAModelIsSaid) {
   const edit_request wanted{"deform", {1}, {{"distance", 0.0005}}, {}};
 

@@ -21,8 +21,9 @@ TEST(CadWords, SayHowNearTheMeshIsToTheModelOrWhyItIsAlone) {
   EXPECT_EQ(cad_words(version(cad_status::pending)).toStdString(), "Being made on the CAD model");
   EXPECT_EQ(cad_words(version(cad_status::same)).toStdString(),
             "On the CAD model, new vertices within 3e-6 mm");
-  EXPECT_EQ(cad_words(version(cad_status::mesh_only, "layer: it cannot be done so")).toStdString(),
-            "In the mesh only: layer: it cannot be done so");
+  EXPECT_EQ(
+    cad_words(version(cad_status::mesh_only, "layer, slab: it cannot be done so")).toStdString(),
+    "In the mesh only: layer, slab: it cannot be done so");
   EXPECT_EQ(cad_words(version(cad_status::failed, "the disk is full. Make room")).toStdString(),
             "Not tried on the CAD model: the disk is full. Make room");
   auto imported = version(cad_status::same);
