@@ -199,9 +199,12 @@ std::string reason_of(const std::vector<failed_way>& ways) {
   if (rows.size() > 1)
     std::erase_if(rows, [](const auto& row) { return row.fault.empty(); });
   std::string result;
-  for (const auto& row : rows)
-    result += (result.empty() ? "" : "; ") + row.name + ": " +
-              (row.fault.empty() ? "it cannot be done so" : row.fault);
+  for (const auto& row : rows) {
+    std::string fault = row.fault;
+    if (fault.empty())
+      fault = "it cannot be done so";
+    result += (result.empty() ? "" : "; ") + row.name + ": " + fault;
+  }
   return result;
 }
 

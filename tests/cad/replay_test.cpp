@@ -156,10 +156,11 @@ TEST_F(Replay, AShapeThatIsNotTheMeshIsNotTaken) {
 }
 
 TEST(ReasonOfWays, HasEachFaultOnceAndNoWayThatCouldNotBeginWhereAnotherSaysMore) {
-  EXPECT_EQ(reason_of({{"in place", ""}, {"layer", "a"}, {"slab", "b"}, {"plug", "a"}}),
+  EXPECT_EQ(cad::reason_of({{"in place", ""}, {"layer", "a"}, {"slab", "b"}, {"plug", "a"}}),
             "layer, plug: a; slab: b");
-  EXPECT_EQ(reason_of({{"in place", ""}, {"layer", ""}}), "in place, layer: it cannot be done so");
-  EXPECT_EQ(reason_of({{"layer", "a"}}), "layer: a");
+  EXPECT_EQ(cad::reason_of({{"in place", ""}, {"layer", ""}}),
+            "in place, layer: it cannot be done so");
+  EXPECT_EQ(cad::reason_of({{"layer", "a"}}), "layer: a");
 }
 
 TEST_F(Replay, WhatNoOneKnowsToDoOnAModelIsSaid) {
