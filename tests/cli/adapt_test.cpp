@@ -4,8 +4,9 @@
 namespace tedit::test {
 namespace {
 
-const std::string loaded_block = parts + "inch_block/inch_block.coarse.msh --device cpu --order 1 " +
-                          "--load-case " + parts + "inch_block/load_case.json";
+const std::string loaded_block = parts +
+                                 "inch_block/inch_block.coarse.msh --device cpu --order 1 " +
+                                 "--load-case " + parts + "inch_block/load_case.json";
 
 TEST(Adapt, RefinesUntilTheEstimatedErrorIsWhatWasAskedFor) {
   const auto finer = scratch("finer.msh");

@@ -32,7 +32,8 @@ solution solution_of(const problem& p) {
   return s;
 }
 
-problem regular_box_problem(int order, std::array<int, 3> cells, vec3 size, const load_case& loads) {
+problem regular_box_problem(int order, std::array<int, 3> cells, vec3 size,
+                            const load_case& loads) {
   auto p = make_problem(*box_mesh(cells, size), loads, order);
   EXPECT_TRUE(p.has_value()) << (p ? "" : render(p.error()));
   return p.value_or(problem{});
@@ -150,8 +151,10 @@ load_case tip_loaded() {
 TEST_P(Recovery, TheErrorEstimateFallsWithTheMeshSize) {
   const int n = GetParam() == 1 ? 2 : 1;
   const vec3 size{4, 1, 1};
-  const auto coarse = solution_of(regular_box_problem(GetParam(), {4 * n, n, n}, size, tip_loaded()));
-  const auto fine = solution_of(regular_box_problem(GetParam(), {8 * n, 2 * n, 2 * n}, size, tip_loaded()));
+  const auto coarse =
+    solution_of(regular_box_problem(GetParam(), {4 * n, n, n}, size, tip_loaded()));
+  const auto fine =
+    solution_of(regular_box_problem(GetParam(), {8 * n, 2 * n, 2 * n}, size, tip_loaded()));
 
   EXPECT_GT(coarse.relative_error, 0.01);
   EXPECT_LT(fine.relative_error, 0.8 * coarse.relative_error);

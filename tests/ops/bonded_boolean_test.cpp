@@ -15,8 +15,8 @@
 namespace tedit::ops {
 namespace {
 
-using test::boundary_area;
 using test::bond;
+using test::boundary_area;
 using test::volume_of;
 
 version_ptr two_regions(bool named = true) {
