@@ -16,5 +16,8 @@ if ! cmake --preset "$preset" >"$log" 2>&1; then
 fi
 targets=()
 [ $# -gt 0 ] && targets=(--target "$@")
-# As many compilers as processors: each may take 2 GB.
-cmake --build "$build" -j "$(nproc)" "${targets[@]}"
+# As many compilers as processors and memory allow: each may take 2 GB.
+room=$(awk '/^MemAvailable/ { print int($2 / 2000000) }' /proc/meminfo)
+jobs=$(nproc)
+[ "$room" -lt "$jobs" ] && jobs=$((room > 0 ? room : 1))
+cmake --build "$build" -j "$jobs" "${targets[@]}"
