@@ -4,7 +4,11 @@
 #include <QCoreApplication>
 #include <QStringList>
 
+#include <algorithm>
+#include <iterator>
+
 #include "client-qt/model/quantities.hpp"
+#include "client-qt/model/server_words.hpp"
 
 namespace tedit::desktop {
 
@@ -16,11 +20,19 @@ struct cad_phrases {
 
 using client::cad_status;
 
+/// Ways of making an edit on the model whose name is one word: too little for a template.
+constexpr const char* short_ways[] = {
+  QT_TRANSLATE_NOOP("cad", "layer"), QT_TRANSLATE_NOOP("cad", "slab"),
+  QT_TRANSLATE_NOOP("cad", "plug"), QT_TRANSLATE_NOOP("cad", "fillet"),
+  QT_TRANSLATE_NOOP("cad", "tool")};
+
 /// "layer, slab".
 QString names_of_ways(const QString& names) {
   QStringList result;
   for (const auto& name : names.split(", "))
-    result << words_of(name.toStdString());
+    result << (std::ranges::find(short_ways, name) != std::end(short_ways)
+                 ? cad_phrases::tr(name.toUtf8())
+                 : words_of(name.toStdString()));
   return result.join(", ");
 }
 
@@ -30,10 +42,10 @@ QString reason_words(const std::string& reason) {
   QStringList faults;
   for (const auto& one : text.split("; ")) {
     const auto colon = one.indexOf(": ");
-    const auto whole = words_of(one.toStdString());
-    faults << (colon < 0 || whole != one ? whole
-                                         : names_of_ways(one.left(colon)) + ": " +
-                                             words_of(one.mid(colon + 2).toStdString()));
+    const bool is_sentence = colon < 0 || in_window_language(one.toStdString()) != one;
+    faults << (is_sentence ? words_of(one.toStdString())
+                           : names_of_ways(one.left(colon)) + ": " +
+                               words_of(one.mid(colon + 2).toStdString()));
   }
   return faults.join("; ");
 }

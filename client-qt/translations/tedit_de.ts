@@ -122,6 +122,26 @@
         <source>Version %1. %2</source>
         <translation>Version %1. %2</translation>
     </message>
+    <message>
+        <source>layer</source>
+        <translation>Schicht</translation>
+    </message>
+    <message>
+        <source>slab</source>
+        <translation>Scheibe</translation>
+    </message>
+    <message>
+        <source>plug</source>
+        <translation>Stopfen</translation>
+    </message>
+    <message>
+        <source>fillet</source>
+        <translation>Ausrundung</translation>
+    </message>
+    <message>
+        <source>tool</source>
+        <translation>Werkzeug</translation>
+    </message>
 </context>
 <context>
     <name>cad_import</name>

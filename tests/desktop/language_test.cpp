@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "client-qt/model/language.hpp"
+#include "client-qt/model/cad_words.hpp"
 
 #include <gtest/gtest.h>
 
@@ -102,6 +103,23 @@ TEST_F(Language, NoticesAndRemediesOfTheServerAreInTheWindowsLanguage) {
   EXPECT_EQ(shown_words("Take 0.25 mm: the most that works here"),
             "0,25 mm nehmen: das Größte, was hier geht");
   EXPECT_EQ(shown_words("Try again. Connect again."), "Noch einmal versuchen. Neu verbinden.");
+}
+
+TEST_F(Language, WhyAnEditIsInTheMeshOnlyIsInTheWindowsLanguage) {
+  if (!languages().contains("de"))
+    GTEST_SKIP() << "built without qt6-l10n-tools";
+  speak(*qApp, "de");
+  client::version_info version;
+  version.cad = client::cad_state{
+    client::cad_status::mesh_only,
+    "layer, slab by edges around: a face of it, around -4.75, -4.4, -141.3 mm, is nowhere in the "
+    "mesh; plug: it has 2 solids, the model before 1",
+    0};
+
+  EXPECT_EQ(cad_words(version).toStdString(),
+            "Nur im Netz: Schicht, Scheibe nach Kanten ringsum: eine Fläche des Modells bei -4,75, "
+            "-4,4, -141,3 mm gibt es im Netz nicht; Stopfen: es hat 2 Volumenkörper, das Modell "
+            "davor 1");
 }
 
 TEST_F(Language, WhatTheClientSaysOfAConnectionIsInTheWindowsLanguage) {
