@@ -58,6 +58,19 @@ endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   add_compile_options(--param=ggc-min-expand=400 --param=ggc-min-heapsize=1000000)
 endif()
+# As many compilers at a time as there are processors, fewer where there is not 2 GB of memory for each (Ninja's own is two
+# more than processors).
+cmake_host_system_information(RESULT compilers QUERY NUMBER_OF_LOGICAL_CORES)
+cmake_host_system_information(RESULT memory_mb QUERY TOTAL_PHYSICAL_MEMORY)
+math(EXPR most_compilers "${memory_mb} / 2000")
+if(most_compilers LESS compilers)
+  set(compilers ${most_compilers})
+endif()
+if(compilers LESS 1)
+  set(compilers 1)
+endif()
+set_property(GLOBAL APPEND PROPERTY JOB_POOLS tedit_compilers=${compilers})
+set(CMAKE_JOB_POOL_COMPILE tedit_compilers)
 
 # For a room whose code runs once for a message, a click or a command, and calls others for what takes time: all of it is
 # compiled with -O1, which takes a third less time (docs/decisions/log/0026.md). After this no target of mesh, fem or ops.

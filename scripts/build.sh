@@ -16,8 +16,4 @@ if ! cmake --preset "$preset" >"$log" 2>&1; then
 fi
 targets=()
 [ $# -gt 0 ] && targets=(--target "$@")
-# As many compilers as processors and memory allow: each may take 2 GB.
-room=$(awk '/^MemAvailable/ { print int($2 / 2000000) }' /proc/meminfo)
-jobs=$(nproc)
-[ "$room" -lt "$jobs" ] && jobs=$((room > 0 ? room : 1))
-cmake --build "$build" -j "$jobs" "${targets[@]}"
+cmake --build "$build" "${targets[@]}"

@@ -10693,6 +10693,10 @@
         <source>the mesher moved a point of the surface</source>
         <translation>der Vernetzer hat einen Punkt der Oberfläche verschoben</translation>
     </message>
+    <message>
+        <source>the tool and the part could not be cut with each other (%1)</source>
+        <translation>Werkzeug und Teil ließen sich nicht miteinander verschneiden (%1)</translation>
+    </message>
 </context>
 <context>
     <name>server_lists</name>

@@ -59,7 +59,7 @@ public:
 private:
   // -- looking ---------------------------------------------------------------
 
-  /// Those whose length is between the limits, the shortest first.
+  /// Those whose length, as a share of the size wanted, is between both, the shortest first.
   [[nodiscard]] std::vector<sized_edge> edges(double least = 0, double most = 1e300) const {
     std::vector<sized_edge> result;
     for (const auto& f : mesh_.faces) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstring>
 #include <tuple>
+#include <utility>
 
 #include "base/child_process.hpp"
 #include "mesh/face_key.hpp"
@@ -156,8 +157,13 @@ expected<corefined> corefine(const closed_surface& first, const std::vector<soli
   const auto output =
     run_child({mesher_program().string()}, question(first, shares, second, mode, planes, computing),
               mesher_limits(computing), run);
-  if (!output)
-    return fail(output.error());
+  if (!output) {
+    auto why = output.error();
+    // How the mesher ended says nothing to who made the edit.
+    if (why.code == ec::mesher_failed)
+      why.message = "the tool and the part could not be cut with each other (" + why.message + ")";
+    return fail(std::move(why));
+  }
   answer_reader reader(*output);
   corefine_answer answer;
   corefined result;

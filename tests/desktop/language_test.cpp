@@ -86,6 +86,10 @@ TEST_F(Language, RefusalsOfTheServerAreInTheWindowsLanguage) {
                 "axis z through (1, 2, 3) mm"),
     "das Bauteil ist nicht gehalten: frei sind Verschiebung entlang x; Drehung um die Achse "
     "z durch (1, 2, 3) mm");
+  EXPECT_EQ(shown_words("no tets fit between the walls there (the mesher left gaps)"),
+            "zwischen die Wände dort passen keine Tetraeder (der Vernetzer hat Lücken gelassen)");
+  EXPECT_EQ(shown_words("no tets fit between the walls there (tedit-mesher crashed (signal 11))"),
+            "zwischen die Wände dort passen keine Tetraeder (tedit-mesher crashed (signal 11))");
   EXPECT_EQ(shown_words("material \"Steel\": Young's modulus is -5 Pa"),
             "Werkstoff „Steel“: E-Modul ist -5 Pa");
 }
