@@ -10695,7 +10695,7 @@
     </message>
     <message>
         <source>the tool and the part could not be cut with each other (%1)</source>
-        <translation>Werkzeug und Teil ließen sich nicht miteinander verschneiden (%1)</translation>
+        <translation>Werkzeug und Teil ließen sich nicht miteinander schneiden (%1)</translation>
     </message>
 </context>
 <context>
