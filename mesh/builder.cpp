@@ -256,18 +256,18 @@ void mesh_builder::set_interfaces(const std::vector<interface_facet>& facets) {
   counts_.interfaces = paged_array<interface_facet>::from(facets);
 }
 
-surface_id mesh_builder::add_surface(std::string name) {
+surface_id mesh_builder::add_surface(std::string name, surface_geometry geometry) {
   const surface_id id = ++largest_surface_;
-  counts_.surfaces.push_back({id, std::move(name)});
+  counts_.surfaces.push_back({id, std::move(name), std::move(geometry)});
   return id;
 }
 
-void mesh_builder::restore_surface(surface_id id, std::string name) {
+void mesh_builder::restore_surface(surface_id id, std::string name, surface_geometry geometry) {
   auto& rows = counts_.surfaces;
   const auto at = std::ranges::lower_bound(rows, id, {}, &surface_info::id);
   if (at != rows.end() && at->id == id)
     return;
-  rows.insert(at, {id, std::move(name)});
+  rows.insert(at, {id, std::move(name), std::move(geometry)});
   largest_surface_ = std::max(largest_surface_, id);
 }
 

@@ -90,9 +90,9 @@ public:
   void set_interfaces(const std::vector<interface_facet>& facets);
 
   /// A new surface with an id that the table has not had (largest id + 1).
-  surface_id add_surface(std::string name);
+  surface_id add_surface(std::string name, surface_geometry geometry = {});
   /// A surface that an earlier version had, under its own id; nothing where the table has it.
-  void restore_surface(surface_id id, std::string name);
+  void restore_surface(surface_id id, std::string name, surface_geometry geometry = {});
 
   /// Tets added or with a moved vertex since the builder was made, live ones, ascending.
   [[nodiscard]] std::vector<tet_id> touched() const;

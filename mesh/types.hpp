@@ -68,8 +68,8 @@ struct interface_facet {
 };
 static_assert(sizeof(interface_facet) == 24);
 
-/// The exact shape that a CAD model has behind a surface. Facets tell less: two rows of corners may
-/// be those of a cone or of a fillet.
+/// The exact shape that a CAD model, or a tool, has behind a surface. Facets tell less: two rows of
+/// corners may be those of a cone or of a fillet.
 struct surface_geometry {
   enum class kind : std::uint8_t { none, plane, cylinder, cone, sphere, torus, spline };
 
@@ -103,7 +103,8 @@ struct surface_geometry {
 struct surface_info {
   surface_id id = 0;
   std::string name;
-  /// As it was imported. An edit may have moved the facets since: see mesh/features/known_wall.hpp.
+  /// As it was imported, or as the tool had it that made it. An edit may have moved the facets
+  /// since: see mesh/features/known_wall.hpp.
   surface_geometry geometry = {};
 
   friend bool operator==(const surface_info&, const surface_info&) = default;

@@ -49,6 +49,16 @@ constexpr double least_slope = 1e-4;
 /// Walls that meet at less than 35 degrees run on smoothly.
 constexpr double runs_on_cosine = 0.82;
 
+/// Of more triangles a tenth is tried first: a free form is dear to fit.
+constexpr std::size_t many_triangles = 2000;
+
+facet_corners each_tenth_of(const facet_corners& wall) {
+  std::vector<std::array<std::uint32_t, 3>> some;
+  for (std::size_t i = 0; i < wall.triangles.size(); i += 10)
+    some.push_back(wall.triangles[i]);
+  return with_own_points(wall.points, some);
+}
+
 struct ball {
   vec3 centre;
   double radius = 0;  ///< m
@@ -230,6 +240,8 @@ double exact_wall::radius_at(vec3 p) const {
 
 std::optional<exact_wall> fit_exact(const facet_corners& wall) {
   if (wall.triangles.empty())
+    return std::nullopt;
+  if (wall.triangles.size() > many_triangles && !fit_exact(each_tenth_of(wall)))
     return std::nullopt;
   if (auto shape = fit_wall(wall.points, wall.triangles, exact_limits)) {
     if (shape->type == wall_shape::kind::plane)

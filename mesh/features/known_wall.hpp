@@ -18,8 +18,16 @@ namespace tedit {
                                                    std::span<const facet_id> facets,
                                                    const facet_corners& corners);
 
+/// The same of a geometry that no version has, as of a tool.
+[[nodiscard]] std::optional<exact_wall> known_wall(const surface_geometry& geometry,
+                                                   const facet_corners& corners);
+
 /// `known_wall`, else `fit_exact`. Cost: that of a fit.
 [[nodiscard]] std::optional<exact_wall> find_exact(const mesh_version& mesh,
                                                    std::span<const facet_id> facets);
+
+/// What is behind all facets of a surface: what the CAD model says, where it holds, else what their
+/// corners say; none where that is a guess. Cost: that of a fit.
+[[nodiscard]] surface_geometry find_geometry(const mesh_version& mesh, surface_id id);
 
 }  // namespace tedit

@@ -20,6 +20,9 @@ struct facet_corners {
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 [[nodiscard]] facet_corners corners_of(const mesh_version& mesh, std::span<const facet_id> facets);
+/// Triangles over those of the points that they have. Cost: O(triangles log triangles).
+[[nodiscard]] facet_corners with_own_points(
+  std::span<const vec3> points, std::span<const std::array<std::uint32_t, 3>> triangles);
 
 /// `fit_wall` for triangles over points, each of which is a corner of some.
 [[nodiscard]] std::optional<wall_shape> fit_wall(

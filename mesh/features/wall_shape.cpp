@@ -274,6 +274,24 @@ facet_corners corners_of(const mesh_version& mesh, std::span<const facet_id> fac
   return result;
 }
 
+facet_corners with_own_points(std::span<const vec3> points,
+                              std::span<const std::array<std::uint32_t, 3>> triangles) {
+  facet_corners result;
+  std::vector<std::uint32_t> used;
+  for (const auto& t : triangles)
+    used.insert(used.end(), t.begin(), t.end());
+  std::ranges::sort(used);
+  used.erase(std::ranges::unique(used).begin(), used.end());
+  for (const auto v : used)
+    result.points.push_back(points[v]);
+  for (auto t : triangles) {
+    for (auto& v : t)
+      v = static_cast<std::uint32_t>(std::ranges::lower_bound(used, v) - used.begin());
+    result.triangles.push_back(t);
+  }
+  return result;
+}
+
 std::optional<wall_shape> fit_wall(std::span<const vec3> points,
                                    std::span<const std::array<std::uint32_t, 3>> triangles,
                                    const fit_limits& limits) {

@@ -181,7 +181,7 @@ private:
     mesh_builder builder(mesh_);
     for (std::size_t i = 0; i < continues_.size(); ++i)
       if (continues_[i])
-        builder.restore_surface(*continues_[i], flush_.tool.names[i]);
+        builder.restore_surface(*continues_[i], flush_.tool.names[i], flush_.tool.geometry(i));
     return builder;
   }
 

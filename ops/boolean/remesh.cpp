@@ -333,7 +333,8 @@ private:
     if (labels.is_tool(f.label)) {
       auto& made = result_.surfaces[labels.tool_face(f.label)];
       if (!made)
-        made = builder_.add_surface(tool_.names[labels.tool_face(f.label)]);
+        made = builder_.add_surface(tool_.names[labels.tool_face(f.label)],
+                                    tool_.geometry(labels.tool_face(f.label)));
       change_.facets.push_back({corners, *made});
       return;
     }

@@ -15,36 +15,6 @@ namespace {
 /// wall to rounding, as a share of the radius: those of a file are not.
 constexpr double widest_tool_gap = 25 * std::numbers::pi / 180;
 constexpr double exact_corner = 1e-10;
-/// Of more triangles a part is tried first: a free form is dear to fit.
-constexpr std::size_t many_triangles_of_wall = 2000;
-
-/// The triangles with those points alone that they have.
-facet_corners with_own_points(std::span<const vec3> points,
-                              std::span<const std::array<std::uint32_t, 3>> triangles) {
-  facet_corners result;
-  std::vector<std::uint32_t> used;
-  for (const auto& t : triangles)
-    used.insert(used.end(), t.begin(), t.end());
-  std::ranges::sort(used);
-  used.erase(std::ranges::unique(used).begin(), used.end());
-  for (const auto v : used)
-    result.points.push_back(points[v]);
-  for (auto t : triangles) {
-    for (auto& v : t)
-      v = static_cast<std::uint32_t>(std::ranges::lower_bound(used, v) - used.begin());
-    result.triangles.push_back(t);
-  }
-  return result;
-}
-
-std::optional<exact_wall> exact_of(const facet_corners& corners) {
-  if (corners.triangles.size() > many_triangles_of_wall) {
-    const auto some = std::span(corners.triangles).first(corners.triangles.size() / 10);
-    if (!fit_exact(with_own_points(corners.points, some)))
-      return std::nullopt;
-  }
-  return fit_exact(corners);
-}
 
 bool is_meant_round(const exact_wall& wall, const facet_corners& corners, bool is_part) {
   if (is_part)
@@ -121,9 +91,10 @@ const round_walls::wall& round_walls::of_tool(std::size_t face) {
     for (std::size_t i = 0; i < tool_.triangles.size(); ++i)
       if (tool_.faces[i] == face)
         triangles.push_back(tool_.triangles[i]);
-    // What continues a wall has the facets that the part has of it.
-    add(row->second, with_own_points(tool_.points, triangles), std::nullopt,
-        face < continues_.size() && continues_[face]);
+    const auto corners = with_own_points(tool_.points, triangles);
+    const auto known = known_wall(tool_.geometry(face), corners);
+    // What continues a wall has the facets that the part has of it, and so has a copy.
+    add(row->second, corners, known, known || (face < continues_.size() && continues_[face]));
   }
   return row->second;
 }
@@ -132,7 +103,7 @@ void round_walls::add(wall& to, const facet_corners& corners,
                       const std::optional<exact_wall>& known, bool is_part) const {
   if (corners.triangles.empty())
     return;
-  const auto shape = known ? known : exact_of(corners);
+  const auto shape = known ? known : fit_exact(corners);
   if (!shape)
     to.free_form = true;
   else if (shape->flat() && is_part)

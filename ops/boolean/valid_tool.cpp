@@ -15,6 +15,11 @@ expected<void> validate(const tool_surface& tool) {
   for (const auto& p : tool.points)
     if (!is_finite(p))
       return wrong("a point is not finite");
+  if (!tool.geometries.empty() && tool.geometries.size() != tool.names.size())
+    return wrong("not each face has a geometry, or none");
+  for (const auto& one : tool.geometries)
+    if (!is_possible(one))
+      return wrong("the geometry of a face is of no known kind, or not finite");
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
   for (std::size_t i = 0; i < tool.triangles.size(); ++i) {
     const auto& t = tool.triangles[i];

@@ -82,9 +82,9 @@ private:
     if (is_new) {
       const auto* row = other_.find_surface(of_other);
       if (whole_.find_surface(of_other))
-        builder_.restore_surface(of_other, row->name);
+        builder_.restore_surface(of_other, row->name, row->geometry);
       else
-        found->second = builder_.add_surface(row->name);
+        found->second = builder_.add_surface(row->name, row->geometry);
     }
     return found->second;
   }

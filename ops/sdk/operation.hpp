@@ -96,6 +96,13 @@ struct tool_surface {
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< Oriented outward.
   std::vector<std::uint32_t> faces;                     ///< Of each triangle: an index of `names`.
   std::vector<std::string> names;  ///< What the surfaces are called that the faces become.
+  /// What each face stands for, and its surface then does; of none, or without the list, corners
+  /// tell whether it is round. New vertices lie on it, not on its chords.
+  std::vector<surface_geometry> geometries;
+
+  [[nodiscard]] surface_geometry geometry(std::size_t face) const {
+    return face < geometries.size() ? geometries[face] : surface_geometry{};
+  }
 };
 
 /// What is left: the part without the tool, both together, or what is common to both.
@@ -393,7 +400,8 @@ inline void add_services(std::vector<layout_fact>& facts) {
                         &services::boolean, &services::boolean_onto));
   facts.push_back(table("operation", &operation::describe, &operation::apply));
   const tool_surface tool;
-  facts.push_back(of("tool_surface", tool, tool.points, tool.triangles, tool.faces, tool.names));
+  facts.push_back(
+    of("tool_surface", tool, tool.points, tool.triangles, tool.faces, tool.names, tool.geometries));
   const boolean_request request;
   facts.push_back(of("boolean_request", request, request.mode, request.max_deviation));
   facts.push_back(last("boolean_mode", boolean_mode::keep));

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "mesh/features/hole.hpp"
+#include "mesh/features/known_wall.hpp"
 #include "mesh/features/select.hpp"
 #include "ops/shapes/caps/caps.hpp"
 #include "ops/tools/local_size.hpp"
@@ -37,6 +38,18 @@ expected<found_feature> feature_of(const mesh_version& mesh, surface_id pick,
   return fail(ec::not_a_protrusion,
               "surface " + std::to_string(pick) + " belongs neither to a hole nor to a boss",
               "Pick a wall of a hole, or a side of a boss that stands free");
+}
+
+surface_geometry brought(surface_geometry geometry, const motion& way) {
+  geometry.point = way(geometry.point);
+  geometry.axis = way.turned(geometry.axis);
+  if (geometry.spline) {
+    auto spline = *geometry.spline;
+    for (auto& pole : spline.poles)
+      pole = way(pole);
+    geometry.spline = std::make_shared<const spline_surface>(std::move(spline));
+  }
+  return geometry;
 }
 
 /// Lids whose triangles hang together: over an edge of the part a rim has one for each side.
@@ -93,12 +106,14 @@ expected<feature_tool> close_feature(const mesh_version& mesh, const shell& part
       result.tool.names.push_back(row && !row->name.empty() ? row->name
                                                             : "copy of " + std::to_string(id));
       result.surfaces.emplace_back(id);
+      result.tool.geometries.push_back(find_geometry(mesh, id));
     }
     result.tool.faces.push_back(found->second);
   }
   result.tool.faces.resize(result.tool.triangles.size(),
                            static_cast<std::uint32_t>(result.tool.names.size()));
   result.tool.names.emplace_back("lid");
+  result.tool.geometries.emplace_back();
   result.surfaces.emplace_back();
   // The plug of a hole looks outward; round a boss everything is the other way round.
   if (mode == boolean_mode::add)
@@ -214,6 +229,8 @@ tool_surface placed(const mesh_version& mesh, const feature_tool& feature, const
   tool_surface tool = feature.tool;
   for (auto& p : tool.points)
     p = way(p);
+  for (auto& geometry : tool.geometries)
+    geometry = brought(geometry, way);
   if (way.mirrors)
     for (auto& t : tool.triangles)
       std::swap(t[1], t[2]);

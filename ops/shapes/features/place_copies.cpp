@@ -101,6 +101,8 @@ private:
         all.tool.faces.push_back(faces + face);
       all.first_face.push_back(faces);
       all.tool.names.insert(all.tool.names.end(), one.names.begin(), one.names.end());
+      all.tool.geometries.insert(all.tool.geometries.end(), one.geometries.begin(),
+                                 one.geometries.end());
       all.continues.resize(all.tool.names.size());
       if (from_.keeps_ids)
         std::ranges::copy(job.feature->surfaces, all.continues.begin() + faces);
