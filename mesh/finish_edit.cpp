@@ -138,6 +138,7 @@ struct edit_in_work {
   version_ptr version;
   std::vector<tet_id> touched;
   double volume_change = 0;  ///< m^3
+  bool is_settled = false;   ///< Vertices have gone onto their walls.
 };
 
 /// It goes on with a version in which these tets are new or changed as well.
@@ -149,20 +150,21 @@ void go_on(edit_in_work& edit, version_ptr version, const std::vector<tet_id>& m
 }
 
 expected<void> settle(const mesh_version& base, double floor, const execution& run,
-                      edit_in_work& edit) {
-  const auto settled = settle_on_walls(base, edit.version, floor, run);
+                      edit_in_work& edit, settling_vertices which) {
+  const auto settled = settle_on_walls(base, edit.version, floor, run, which);
   if (!settled)
     return fail(settled.error());
   if (!*settled)
     return {};
+  edit.is_settled = true;
   edit.volume_change += boundary_growth(*edit.version, *(*settled)->version);
   go_on(edit, (*settled)->version, (*settled)->touched);
   return {};
 }
 
 expected<improve_report> improve_as_wanted(const improve_request& wanted,
-                                           const finish_settings& settings, const execution& run,
-                                           edit_in_work& edit) {
+                                           const finish_settings& settings, double floor,
+                                           const execution& run, edit_in_work& edit) {
   if (auto valid = validate(wanted.thorough); !valid)
     return fail(valid.error());
   const auto before = edit.version;
@@ -171,8 +173,12 @@ expected<improve_report> improve_as_wanted(const improve_request& wanted,
   if (!report)
     return fail(report.error());
   go_on(edit, builder.freeze(), builder.touched());
-  if (wanted.how == improvement::thorough && wanted.thorough.tolerance.allows_any())
-    edit.volume_change += boundary_growth(*before, *edit.version);
+  if (wanted.how != improvement::thorough || !wanted.thorough.tolerance.allows_any())
+    return report;
+  edit.volume_change += boundary_growth(*before, *edit.version);
+  if (settings.settle)
+    if (auto ok = settle(*before, floor, run, edit, settling_vertices::moved); !ok)
+      return fail(ok.error());
   return report;
 }
 
@@ -187,16 +193,15 @@ expected<finished_edit> finish_edit(const version_ptr& base, const version_ptr& 
   const double floor =
     std::min(settings.quality_floor, std::max(claim.quality_floor, lowest_quality_floor));
   if (settings.settle)
-    if (auto ok = settle(*base, floor, run, edit); !ok)
+    if (auto ok = settle(*base, floor, run, edit, settling_vertices::fresh); !ok)
       return fail(ok.error());
-  const bool is_settled = edit.version != candidate;
   if (wanted.how == improvement::local)
     if (auto wide =
           check_facets_are_wide(*base, *candidate, claim.touched, floor, settings.improve.rings);
         !wide)
       return fail(wide.error());
   if (wanted.how != improvement::none) {
-    const auto improved = improve_as_wanted(wanted, settings, run, edit);
+    const auto improved = improve_as_wanted(wanted, settings, floor, run, edit);
     if (!improved)
       return fail(improved.error());
     result.improvement = *improved;
@@ -210,7 +215,7 @@ expected<finished_edit> finish_edit(const version_ptr& base, const version_ptr& 
   final_claim.volume_change = result.volume_change;
   final_claim.quality_floor = floor;
   const auto report = check_edit(*base, *result.version, final_claim);
-  if (!report.ok() && is_settled) {  // What does not hold so may hold as it was made.
+  if (!report.ok() && edit.is_settled) {  // What does not hold so may hold as it was made.
     auto as_made = settings;
     as_made.settle = false;
     return finish_edit(base, candidate, claim, wanted, as_made, run);

@@ -60,8 +60,13 @@ struct settling {
 class settler {
 public:
   settler(const mesh_version& base, const version_ptr& candidate, double floor,
-          const execution& run)
-      : base_(base), candidate_(*candidate), mesh_(candidate), floor_(floor), run_(run) {}
+          const execution& run, settling_vertices which)
+      : base_(base),
+        candidate_(*candidate),
+        mesh_(candidate),
+        floor_(floor),
+        run_(run),
+        which_(which) {}
 
   expected<std::optional<settled_edit>> run() {
     auto moves = find_moves();
@@ -86,11 +91,13 @@ private:
            base_.position(v) != candidate_.position(v);
   }
 
-  /// A vertex with a facet that it had before has moved: whoever moved it wants it there. In a slot
+  /// A vertex with a facet that it had before has moved: an operation may want it there. In a slot
   /// that was used again there is none.
-  [[nodiscard]] bool is_new(vertex_id v) const {
+  [[nodiscard]] bool may_go(vertex_id v) const {
     if (!is_changed(v))
       return false;
+    if (which_ == settling_vertices::moved)
+      return true;
     const auto facets = facets_at(mesh_, v, mesh_.star(v));
     return std::ranges::none_of(facets, [&](facet_id f) {
       return f < base_.facet_slots() && base_.is_live_facet(f) &&
@@ -101,7 +108,7 @@ private:
   std::vector<settling> find_moves() {
     std::vector<settling> moves;
     for_each_dirty_slot(base_.data().positions, candidate_.data().positions, [&](std::uint32_t v) {
-      if (v >= candidate_.vertex_slots() || !candidate_.is_live_vertex(v) || !is_new(v))
+      if (v >= candidate_.vertex_slots() || !candidate_.is_live_vertex(v) || !may_go(v))
         return;
       if (const auto place = place_of(v))
         moves.push_back({v, candidate_.position(v), *place});
@@ -215,7 +222,7 @@ private:
       const vec3 p = candidate_.position(v);
       const double off = std::abs(wall.distance(p));
       return off <= std::max(wall.vague, moved_off * wall.radius_at(p)) ||
-             (off <= near && is_new(v));
+             (off <= near && may_go(v));
     };
     return std::ranges::all_of(
       now, [&](facet_id f) { return std::ranges::all_of(candidate_.facet(f).v, is_there); });
@@ -332,6 +339,7 @@ private:
   mesh_builder mesh_;
   double floor_;
   const execution& run_;
+  settling_vertices which_;
   std::map<surface_id, candidate_wall> walls_;
   std::unordered_set<vertex_id> in_the_way_;
 };
@@ -340,10 +348,11 @@ private:
 
 expected<std::optional<settled_edit>> settle_on_walls(const mesh_version& base,
                                                       const version_ptr& candidate, double floor,
-                                                      const execution& run) {
+                                                      const execution& run,
+                                                      settling_vertices which) {
   if (!is_of_cad_model(base))
     return std::optional<settled_edit>();
-  return settler(base, candidate, floor, run).run();
+  return settler(base, candidate, floor, run, which).run();
 }
 
 }  // namespace tedit

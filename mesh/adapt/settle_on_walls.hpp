@@ -15,6 +15,10 @@ struct settled_edit {
   std::vector<tet_id> touched;  ///< What differs from the candidate.
 };
 
+/// Which vertices go: new ones alone, as an operation may have moved others on purpose, or all that
+/// have moved, as where a mesh was improved.
+enum class settling_vertices { fresh, moved };
+
 /// In a version of a CAD model new vertices that lie on chords of round walls go onto the walls, as
 /// far as the model says what these are, or an earlier edit has made them: each to the nearest
 /// point that is on all of its surfaces. The tets around follow, and are mended. A vertex stays on
@@ -23,9 +27,8 @@ struct settled_edit {
 /// stay, too. Nothing where nothing has to move. So an edit that knows nothing of round walls
 /// leaves the part that its CAD model is. Errors: `cancelled`. Cost: O(dirty slots), and for each
 /// surface at which there is something to do O(facet slots) and a fit.
-[[nodiscard]] expected<std::optional<settled_edit>> settle_on_walls(const mesh_version& base,
-                                                                    const version_ptr& candidate,
-                                                                    double floor,
-                                                                    const execution& run);
+[[nodiscard]] expected<std::optional<settled_edit>> settle_on_walls(
+  const mesh_version& base, const version_ptr& candidate, double floor, const execution& run,
+  settling_vertices which = settling_vertices::fresh);
 
 }  // namespace tedit
