@@ -8,8 +8,9 @@ namespace tedit {
 
 namespace {
 
-/// Of the wall's scale: what is on it.
-constexpr double on_wall = 1e-7;
+/// Of the wall's scale: what is on it. Where faces meet, edges of CAD models are off them by up to
+/// that, whatever tolerance the model gives.
+constexpr double on_wall = 1e-5;
 /// What a mesher or its repair has moved: so much of the corners, or one, by so much.
 constexpr double few_corners = 0.03;
 constexpr double furthest_off = 0.02;
