@@ -39,12 +39,6 @@ constexpr double most_turn_cosine = 0.5;
 /// So many times what is in the way is left where it is.
 constexpr int most_rounds = 6;
 
-bool is_of_cad_model(const mesh_version& mesh) {
-  return std::ranges::any_of(mesh.surfaces(), [](const surface_info& row) {
-    return row.geometry.type != surface_geometry::kind::none;
-  });
-}
-
 /// A surface of the candidate as it was before, or as its corners are.
 struct candidate_wall {
   std::optional<exact_wall> wall;
@@ -350,7 +344,7 @@ expected<std::optional<settled_edit>> settle_on_walls(const mesh_version& base,
                                                       const version_ptr& candidate, double floor,
                                                       const execution& run,
                                                       settling_vertices which) {
-  if (!is_of_cad_model(base))
+  if (!has_geometries(base))
     return std::optional<settled_edit>();
   return settler(base, candidate, floor, run, which).run();
 }

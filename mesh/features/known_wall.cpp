@@ -60,29 +60,6 @@ exact_wall wall_of(const surface_geometry& from) {
   return wall;
 }
 
-/// Of one that was fitted, which is no free form.
-surface_geometry geometry_of(const exact_wall& wall) {
-  using kind = surface_geometry::kind;
-  surface_geometry result;
-  result.point = wall.shape.point;
-  result.axis = wall.shape.axis;
-  result.radius = wall.shape.radius;
-  if (wall.sphere_radius > 0) {
-    result.type = kind::sphere;
-    result.radius = wall.sphere_radius;
-  } else if (wall.tube_radius > 0) {
-    result.type = kind::torus;
-    result.tube_radius = wall.tube_radius;
-  } else if (wall.shape.type == wall_shape::kind::plane) {
-    result.type = kind::plane;
-  } else {
-    const bool is_cone = wall.shape.type == wall_shape::kind::cone;
-    result.type = is_cone ? kind::cone : kind::cylinder;
-    result.slope = is_cone ? wall.shape.slope : 0;
-  }
-  return result;
-}
-
 vec3 middle_of(std::span<const vec3> points) {
   vec3 middle;
   for (const auto& p : points)
@@ -140,6 +117,12 @@ bool holds(const facet_corners& corners, const exact_wall& wall, double scale) {
 
 }  // namespace
 
+bool has_geometries(const mesh_version& mesh) {
+  return std::ranges::any_of(mesh.surfaces(), [](const surface_info& row) {
+    return row.geometry.type != surface_geometry::kind::none;
+  });
+}
+
 std::optional<exact_wall> known_wall(const mesh_version& mesh, std::span<const facet_id> facets,
                                      const facet_corners& corners) {
   const auto* geometry = geometry_of(mesh, facets);
@@ -166,6 +149,28 @@ std::optional<exact_wall> find_exact(const mesh_version& mesh, std::span<const f
   const auto corners = corners_of(mesh, facets);
   auto known = known_wall(mesh, facets, corners);
   return known ? known : fit_exact(corners);
+}
+
+surface_geometry geometry_of(const exact_wall& wall) {
+  using kind = surface_geometry::kind;
+  surface_geometry result;
+  result.point = wall.shape.point;
+  result.axis = wall.shape.axis;
+  result.radius = wall.shape.radius;
+  if (wall.sphere_radius > 0) {
+    result.type = kind::sphere;
+    result.radius = wall.sphere_radius;
+  } else if (wall.tube_radius > 0) {
+    result.type = kind::torus;
+    result.tube_radius = wall.tube_radius;
+  } else if (wall.shape.type == wall_shape::kind::plane) {
+    result.type = kind::plane;
+  } else {
+    const bool is_cone = wall.shape.type == wall_shape::kind::cone;
+    result.type = is_cone ? kind::cone : kind::cylinder;
+    result.slope = is_cone ? wall.shape.slope : 0;
+  }
+  return result;
 }
 
 surface_geometry find_geometry(const mesh_version& mesh, surface_id id) {

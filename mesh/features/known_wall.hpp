@@ -8,6 +8,9 @@
 
 namespace tedit {
 
+/// Does the version come of a CAD model that says of some surface what it is? Cost: O(surfaces).
+[[nodiscard]] bool has_geometries(const mesh_version& mesh);
+
 /// The wall, free form, too, that the CAD model has behind facets of one surface, as long as it
 /// holds of them: their corners are on it to rounding, or as near as edges of the CAD model are,
 /// but for what a mesher's repair may have moved: one corner, or three of a hundred, by 2 % of the
@@ -25,6 +28,9 @@ namespace tedit {
 /// `known_wall`, else `fit_exact`. Cost: that of a fit.
 [[nodiscard]] std::optional<exact_wall> find_exact(const mesh_version& mesh,
                                                    std::span<const facet_id> facets);
+
+/// Of a wall that is no free form.
+[[nodiscard]] surface_geometry geometry_of(const exact_wall& wall);
 
 /// What is behind all facets of a surface: what the CAD model says, where it holds, else what their
 /// corners say; none where that is a guess. Cost: that of a fit.

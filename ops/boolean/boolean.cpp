@@ -71,6 +71,9 @@ public:
     // these and their arcs is more than many an edit.
     if (!moves_walls(*mesh_, tool, continues, near_))
       walls_.emplace(*mesh_, flush_.tool, continues);
+    // In a part that says of its surfaces what they are those of the tool say so, too.
+    if (walls_ && has_geometries(*mesh_))
+      flush_.tool.geometries = walls_->tool_geometries();
   }
 
   expected<boolean_result> best() {
@@ -133,7 +136,7 @@ public:
 
   /// The part with shorter chords where the tool is. None, or an error, where that is no help.
   expected<rounder_part> part_with_shorter_chords() {
-    if (!walls_ || std::ranges::any_of(continues_, [](const auto& id) { return id.has_value(); }))
+    if (!walls_)
       return rounder_part();
     return with_shorter_chords(mesh_, flush_.tool, near_, *walls_, size_, run_);
   }

@@ -48,11 +48,20 @@ bool round_walls::are_known(const std::vector<facet_id>& facets) {
   for (const auto f : facets)
     ids.insert(part_.facet(f).surface);
   // Where there is no CAD model nothing needs to be fitted for that.
-  return std::ranges::all_of(ids, [&](surface_id id) {
-    const auto* row = part_.find_surface(id);
-    return row && row->geometry.type != surface_geometry::kind::none &&
-           std::ranges::all_of(of_part(id).round, &exact_wall::is_known);
-  });
+  return has_geometries(part_) && std::ranges::all_of(ids, [&](surface_id id) {
+           return std::ranges::all_of(of_part(id).round, &exact_wall::is_known);
+         });
+}
+
+std::vector<surface_geometry> round_walls::tool_geometries() {
+  std::vector<surface_geometry> result;
+  for (std::size_t face = 0; face < tool_.names.size(); ++face) {
+    result.push_back(tool_.geometry(face));
+    if (const auto& round = of_tool(face).round;
+        round.size() == 1 && result.back().type == surface_geometry::kind::none)
+      result.back() = geometry_of(round.front());
+  }
+  return result;
 }
 
 bool round_walls::has_chord(surface_id id, const std::array<vec3, 3>& facet, const box& near,

@@ -43,6 +43,10 @@ public:
   /// the same, of the facets' surfaces.
   [[nodiscard]] bool are_known(const std::vector<facet_id>& facets);
 
+  /// What each face of the tool is said to stand for, or by its corners does; none of flat ones of
+  /// which nothing is said. Cost: that of a fit, once a face.
+  [[nodiscard]] std::vector<surface_geometry> tool_geometries();
+
   /// Is the middle of an edge of such a surface's facet that meets a box further than that (m) off
   /// the wall? Cost: O(1).
   [[nodiscard]] bool has_chord(surface_id id, const std::array<vec3, 3>& facet, const box& near,

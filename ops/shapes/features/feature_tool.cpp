@@ -98,6 +98,7 @@ expected<feature_tool> close_feature(const mesh_version& mesh, const shell& part
   result.tool.points = std::move(plug->surface.points);
   result.tool.triangles = std::move(plug->surface.triangles);
   std::map<surface_id, std::uint32_t> faces;
+  const bool known = has_geometries(mesh);
   for (std::size_t i = 0; i < plug->shell_triangles; ++i) {
     const auto id = mesh.facet(part.facets[i]).surface;
     const auto [found, is_new] = faces.emplace(id, static_cast<std::uint32_t>(faces.size()));
@@ -106,7 +107,7 @@ expected<feature_tool> close_feature(const mesh_version& mesh, const shell& part
       result.tool.names.push_back(row && !row->name.empty() ? row->name
                                                             : "copy of " + std::to_string(id));
       result.surfaces.emplace_back(id);
-      result.tool.geometries.push_back(find_geometry(mesh, id));
+      result.tool.geometries.push_back(known ? find_geometry(mesh, id) : surface_geometry());
     }
     result.tool.faces.push_back(found->second);
   }
