@@ -36,6 +36,9 @@ namespace {
 constexpr double out_of_part = 0.5;
 constexpr double into_part = 0.2;
 constexpr double on_surface = 1e-3;
+constexpr double one_way = 1e-6;
+constexpr double least_turn = 1e-2;
+constexpr double least_out = 0.2;
 
 gp_Trsf transformation(const step_motion& way) {
   const auto& c = way.columns;
@@ -50,6 +53,7 @@ gp_Trsf transformation(const step_motion& way) {
 struct feature_lid {
   TopoDS_Face cap;
   gp_Vec outward;  ///< Unit.
+  gp_Vec way;      ///< Unit: which way the walls go on, where they all go one way; else outward.
   std::vector<gp_Pnt> rim;
 };
 
@@ -78,7 +82,7 @@ feature_lid lid_of(const TopoDS_Face& cap, const TopoDS_Shape& body, double near
   gp_Vec u;
   gp_Vec v;
   BRepAdaptor_Surface(cap).D1((u1 + u2) / 2, (v1 + v2) / 2, at, u, v);
-  feature_lid result{cap, u.Crossed(v).Normalized(), rim_of(cap)};
+  feature_lid result{cap, u.Crossed(v).Normalized(), {}, rim_of(cap)};
   // By a point beside the rim, which is inside on one side: the middle may be in a hole of the cap.
   int inside = 0;
   for (const auto& solid : solids_of(body))
@@ -93,6 +97,49 @@ feature_lid lid_of(const TopoDS_Face& cap, const TopoDS_Shape& body, double near
   if (inside > 0)
     result.outward.Reverse();
   return result;
+}
+
+/// The direction that all of some planes and cylinders go along; a null vector where there is none,
+/// or another shape among them.
+gp_Vec common_way(const std::vector<BRepAdaptor_Surface>& walls) {
+  gp_Vec way;
+  for (const auto& one : walls) {
+    if (one.GetType() == GeomAbs_Cylinder)
+      way = gp_Vec(one.Cylinder().Axis().Direction());
+    else if (one.GetType() != GeomAbs_Plane)
+      return {};
+    for (const auto& other : walls)
+      if (way.Magnitude() == 0 && other.GetType() == GeomAbs_Plane) {
+        const auto both =
+          gp_Vec(one.Plane().Axis().Direction()).Crossed(gp_Vec(other.Plane().Axis().Direction()));
+        if (both.Magnitude() > least_turn)
+          way = both.Normalized();
+      }
+  }
+  for (const auto& one : walls) {
+    const bool is_flat = one.GetType() == GeomAbs_Plane;
+    const auto axis = is_flat ? one.Plane().Axis() : one.Cylinder().Axis();
+    const double along = std::abs(way.Dot(gp_Vec(axis.Direction())));
+    if (is_flat ? along >= one_way : along <= 1 - one_way)
+      return {};
+  }
+  return way;
+}
+
+/// As `find_ways` of the mesh's tools has it.
+gp_Vec way_of(const feature_lid& lid, const feature& what) {
+  TopTools_IndexedMapOfShape rim;
+  TopExp::MapShapes(lid.cap, TopAbs_EDGE, rim);
+  std::vector<BRepAdaptor_Surface> walls;
+  for (const auto& face : what.faces)
+    for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next())
+      if (rim.Contains(edges.Current())) {
+        walls.emplace_back(face);
+        break;
+      }
+  const auto way = common_way(walls);
+  const double out = way.Dot(lid.outward);
+  return std::abs(out) < least_out ? lid.outward : way * std::copysign(1.0, out);
 }
 
 /// Where a ray first meets the part.
@@ -112,7 +159,7 @@ first_hit along(IntCurvesFace_ShapeIntersector& part, const gp_Pnt& from, const 
 /// A hole reaches out of the part, a boss down to it.
 double layer_on(IntCurvesFace_ShapeIntersector& part, const feature_lid& lid, const gp_Trsf& way,
                 const cad_step& step) {
-  const gp_Vec normal = lid.outward.Transformed(way);
+  const gp_Vec normal = lid.way.Transformed(way);
   double most = 0;
   for (const auto& p : lid.rim) {
     const auto from = p.Transformed(way);
@@ -133,8 +180,10 @@ TopoDS_Shape with_copies(const TopoDS_Shape& rest, const feature& what, const ca
   if (rest.IsNull() || body.solids.IsNull())
     return {};
   std::vector<feature_lid> lids;
-  for (const auto& cap : body.caps)
-    lids.push_back(lid_of(cap, body.solids, 1e-5 * step.size_mm));
+  for (const auto& cap : body.caps) {
+    auto& lid = lids.emplace_back(lid_of(cap, body.solids, 1e-5 * step.size_mm));
+    lid.way = way_of(lid, what);
+  }
   IntCurvesFace_ShapeIntersector rays;
   rays.Load(rest, 1e-9 * step.size_mm);
   std::vector<TopoDS_Shape> tools;
@@ -146,7 +195,7 @@ TopoDS_Shape with_copies(const TopoDS_Shape& rest, const feature& what, const ca
       if (const double layer = layer_on(rays, lid, way, step); layer > 0)
         tools.push_back(
           BRepPrimAPI_MakePrism(BRepBuilderAPI_Transform(lid.cap, way, Standard_True).Shape(),
-                                lid.outward.Transformed(way) * layer)
+                                lid.way.Transformed(way) * layer)
             .Shape());
   }
   part_model base;

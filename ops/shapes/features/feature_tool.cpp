@@ -21,6 +21,10 @@ constexpr double out_of_part = 0.5;
 constexpr double into_part = 0.2;
 /// What is nearer than this share of the local edge lies on the part's surface.
 constexpr double on_surface = 1e-3;
+/// Sines and cosines: walls that go one way, planes that cross, and a way that leads out of a lid.
+constexpr double one_way = 1e-6;
+constexpr double least_turn = 1e-2;
+constexpr double least_out = 0.2;
 
 /// The hole, else the boss, that one surface belongs to.
 expected<found_feature> feature_of(const mesh_version& mesh, surface_id pick,
@@ -88,6 +92,55 @@ std::vector<lid> lids_of(const tool_surface& tool, std::size_t first_triangle) {
   return result;
 }
 
+/// Which face the walls' triangles have at their edges, as these have them.
+std::map<std::array<std::uint32_t, 2>, std::uint32_t> wall_edges(const tool_surface& tool) {
+  std::map<std::array<std::uint32_t, 2>, std::uint32_t> result;
+  const auto lid_face = static_cast<std::uint32_t>(tool.names.size() - 1);
+  for (std::size_t i = 0; i < tool.triangles.size(); ++i)
+    if (tool.faces[i] != lid_face)
+      for (int k = 0; k < 3; ++k)
+        result[{tool.triangles[i][k], tool.triangles[i][(k + 1) % 3]}] = tool.faces[i];
+  return result;
+}
+
+/// The direction that all of some planes and cylinders go along; nothing where there is none, or
+/// another shape among them.
+std::optional<vec3> common_way(const std::vector<surface_geometry>& walls) {
+  using kind = surface_geometry::kind;
+  std::optional<vec3> way;
+  for (const auto& one : walls) {
+    if (one.type == kind::cylinder)
+      way = one.axis;
+    else if (one.type != kind::plane)
+      return std::nullopt;
+    for (const auto& other : walls)
+      if (const vec3 both = cross(one.axis, other.axis);
+          !way && other.type == kind::plane && norm(both) > least_turn)
+        way = normalized(both);
+  }
+  const bool is_common = way && std::ranges::all_of(walls, [&](const surface_geometry& one) {
+                           const double along = std::abs(dot(one.axis, *way));
+                           return one.type == kind::plane ? along < one_way : along > 1 - one_way;
+                         });
+  return is_common ? way : std::nullopt;
+}
+
+/// `shapes`: what the faces stand for.
+void find_ways(feature_tool& feature, const std::vector<surface_geometry>& shapes) {
+  const auto walls = wall_edges(feature.tool);
+  for (auto& lid : feature.lids) {
+    std::set<std::uint32_t> faces;
+    for (const auto& edge : lid.rim)
+      faces.insert(walls.at({edge[1], edge[0]}));
+    std::vector<surface_geometry> around;
+    for (const auto face : faces)
+      around.push_back(shapes[face]);
+    const auto way = common_way(around);
+    const double out = way ? dot(*way, lid.normal) : 0;
+    lid.way = std::abs(out) < least_out ? lid.normal : std::copysign(1.0, out) * *way;
+  }
+}
+
 expected<feature_tool> close_feature(const mesh_version& mesh, const shell& part, boolean_mode mode,
                                      services& host) {
   auto plug = close_shell(mesh, part, 1.0, host);
@@ -98,7 +151,7 @@ expected<feature_tool> close_feature(const mesh_version& mesh, const shell& part
   result.tool.points = std::move(plug->surface.points);
   result.tool.triangles = std::move(plug->surface.triangles);
   std::map<surface_id, std::uint32_t> faces;
-  const bool known = has_geometries(mesh);
+  std::vector<surface_geometry> shapes;
   for (std::size_t i = 0; i < plug->shell_triangles; ++i) {
     const auto id = mesh.facet(part.facets[i]).surface;
     const auto [found, is_new] = faces.emplace(id, static_cast<std::uint32_t>(faces.size()));
@@ -107,20 +160,23 @@ expected<feature_tool> close_feature(const mesh_version& mesh, const shell& part
       result.tool.names.push_back(row && !row->name.empty() ? row->name
                                                             : "copy of " + std::to_string(id));
       result.surfaces.emplace_back(id);
-      result.tool.geometries.push_back(known ? find_geometry(mesh, id) : surface_geometry());
+      shapes.push_back(find_geometry(mesh, id));
     }
     result.tool.faces.push_back(found->second);
   }
   result.tool.faces.resize(result.tool.triangles.size(),
                            static_cast<std::uint32_t>(result.tool.names.size()));
   result.tool.names.emplace_back("lid");
-  result.tool.geometries.emplace_back();
+  shapes.emplace_back();
   result.surfaces.emplace_back();
   // The plug of a hole looks outward; round a boss everything is the other way round.
   if (mode == boolean_mode::add)
     for (auto& t : result.tool.triangles)
       std::swap(t[1], t[2]);
   result.lids = lids_of(result.tool, plug->shell_triangles);
+  find_ways(result, shapes);
+  if (has_geometries(mesh))
+    result.tool.geometries = std::move(shapes);
   return result;
 }
 
@@ -147,7 +203,7 @@ double way_in(const mesh_version& mesh, const std::vector<vec3>& points, vec3 in
 }
 
 double layer_on(const mesh_version& mesh, const feature_tool& feature, const tool_surface& tool,
-                const lid& one, vec3 normal, double size) {
+                const lid& one, vec3 way, double size) {
   std::vector<vec3> rim;
   box extent;
   for (const auto& edge : one.rim) {
@@ -155,20 +211,9 @@ double layer_on(const mesh_version& mesh, const feature_tool& feature, const too
     extent.add(rim.back());
   }
   if (feature.mode == boolean_mode::cut)
-    return way_out(mesh, rim, normal) + out_of_part * size;
-  const double gap = way_in(mesh, rim, normal, norm(extent.high - extent.low), size);
+    return way_out(mesh, rim, way) + out_of_part * size;
+  const double gap = way_in(mesh, rim, way, norm(extent.high - extent.low), size);
   return gap > on_surface * size ? gap + into_part * size : 0;
-}
-
-/// Which face the walls' triangles have at their edges, as these have them.
-std::map<std::array<std::uint32_t, 2>, std::uint32_t> wall_edges(const tool_surface& tool) {
-  std::map<std::array<std::uint32_t, 2>, std::uint32_t> result;
-  const auto lid_face = static_cast<std::uint32_t>(tool.names.size() - 1);
-  for (std::size_t i = 0; i < tool.triangles.size(); ++i)
-    if (tool.faces[i] != lid_face)
-      for (int k = 0; k < 3; ++k)
-        result[{tool.triangles[i][k], tool.triangles[i][(k + 1) % 3]}] = tool.faces[i];
-  return result;
 }
 
 /// Lifts the lid by `step`; the walls go on up to it.
@@ -237,10 +282,10 @@ tool_surface placed(const mesh_version& mesh, const feature_tool& feature, const
       std::swap(t[1], t[2]);
   std::vector<double> layers;
   for (const auto& one : feature.lids)
-    layers.push_back(layer_on(mesh, feature, tool, one, way.turned(one.normal), size));
+    layers.push_back(layer_on(mesh, feature, tool, one, way.turned(one.way), size));
   for (std::size_t i = 0; i < layers.size(); ++i)
     if (layers[i] > 0)
-      raise(tool, feature.lids[i], layers[i] * way.turned(feature.lids[i].normal), way.mirrors);
+      raise(tool, feature.lids[i], layers[i] * way.turned(feature.lids[i].way), way.mirrors);
   return tool;
 }
 

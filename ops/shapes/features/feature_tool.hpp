@@ -16,6 +16,7 @@ struct lid {
   /// Its outer edges, as its triangles have them.
   std::vector<std::array<std::uint32_t, 2>> rim;
   vec3 normal;  ///< Unit, out of the tool.
+  vec3 way;     ///< Unit: which way the walls go on, where they all go one way; else the normal.
 };
 
 /// A hole or a boss as a shape of its own, with the triangles that the part has there.
@@ -41,8 +42,8 @@ struct picked_features {
                                                       context& ctx);
 
 /// The feature's shape where a motion brings it: a hole reaches out of the part there, a boss down
-/// to it, by a layer on their lids. `size` (m): the part's mean edge length there. Cost: O(facet
-/// slots) for each point of a rim.
+/// to it, by a layer on their lids, along their walls. `size` (m): the part's mean edge length
+/// there. Cost: O(facet slots) for each point of a rim.
 [[nodiscard]] tool_surface placed(const mesh_version& mesh, const feature_tool& feature,
                                   const motion& way, double size);
 
