@@ -150,10 +150,13 @@ private:
     return goes ? std::optional(place.at) : std::nullopt;
   }
 
-  /// One that is new need not be asked.
+  /// One that is new need not be asked, unless its tool has said what it is.
   [[nodiscard]] bool may_be_round(surface_id id) const {
-    const auto* row = base_.find_surface(id);
-    return row && row->geometry.type != surface_geometry::kind::plane;
+    using kind = surface_geometry::kind;
+    if (const auto* row = base_.find_surface(id))
+      return row->geometry.type != kind::plane;
+    const auto* row = candidate_.find_surface(id);
+    return row && row->geometry.type != kind::plane && row->geometry.type != kind::none;
   }
 
   [[nodiscard]] bool is_at_interface(const std::vector<tet_id>& star) const {
@@ -174,8 +177,9 @@ private:
     const auto now = facets_of(candidate_, std::array{id});
     const auto before =
       may_be_round(id) ? facets_of(base_, std::array{id}) : std::vector<facet_id>();
-    auto known = before.empty() ? std::nullopt : wall_before(id, before);
-    if (known && is_where_it_was(*known, before, now))
+    auto known = before.empty() ? known_wall(candidate_, now, corners_of(candidate_, now))
+                                : wall_before(id, before);
+    if (known && (before.empty() || is_where_it_was(*known, before, now)))
       row->second = {std::move(known), true};
     else
       row->second.wall = fit_exact(corners_of(candidate_, now));
