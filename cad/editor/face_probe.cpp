@@ -157,7 +157,7 @@ double face_probe::vague() const {
   double most = 0;
   for (TopExp_Explorer edges(face_, TopAbs_EDGE); edges.More(); edges.Next())
     most = std::max(most, BRep_Tool::Tolerance(TopoDS::Edge(edges.Current())));
-  return std::min(most, rim_slack_);
+  return most;
 }
 
 gp_Vec face_probe::outward_at(const gp_Pnt& point) {

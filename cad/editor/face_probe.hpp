@@ -35,7 +35,7 @@ public:
   /// Looked for up to `at_most` (mm): beyond it only that is said.
   [[nodiscard]] finding operator()(const gp_Pnt& point, double at_most);
 
-  /// mm: so far may the model's own edges of the face be off it, at most the rim's slack.
+  /// mm: so far may the model's own edges of the face be off it.
   [[nodiscard]] double vague() const;
 
   /// mm: of the surface that the face is a piece of.

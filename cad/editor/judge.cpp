@@ -282,7 +282,7 @@ private:
     const double near = seam_share * tolerance_;
     if (std::ranges::none_of(probes_of_[id], [&](std::size_t i) {
           return probes_[i](p, near).distance < near &&
-                 probes_[i].distance_of_surface(p) <= std::max(tolerance_, probes_[i].vague());
+                 probes_[i].distance_of_surface(p) <= std::clamp(probes_[i].vague(), tolerance_, near);
         }))
       return std::nullopt;
     double off = 2 * tolerance_;
