@@ -11,12 +11,6 @@ namespace {
 /// A facet by its corners, smallest first, and its surface.
 using facet_key = std::array<std::int64_t, 4>;
 
-facet_key key_of(const std::array<vertex_id, 3>& corners, surface_id surface) {
-  auto v = corners;
-  std::ranges::sort(v);
-  return {v[0], v[1], v[2], surface};
-}
-
 template <class Visit>
 void for_each_facet(const mesh_version& mesh, const Visit& visit) {
   for (facet_id f = 0; f < mesh.facet_slots(); ++f)
@@ -26,18 +20,54 @@ void for_each_facet(const mesh_version& mesh, const Visit& visit) {
     visit(mesh.data().interfaces[i].v, mesh.data().interfaces[i].surface);
 }
 
-/// Ascending.
-std::vector<facet_key> keys_of(const mesh_version& mesh) {
-  std::vector<facet_key> keys;
-  for_each_facet(mesh,
-                 [&](const auto& v, surface_id surface) { keys.push_back(key_of(v, surface)); });
-  std::ranges::sort(keys);
-  return keys;
+/// Vertices of an edited mesh by those that were on the boundary before, in the same place: a half
+/// that was taken out and put back has others there.
+class earlier_vertices {
+public:
+  earlier_vertices(const mesh_version& before, const mesh_version& after)
+      : before_(before), after_(after) {
+    for_each_facet(before, [&](const auto& corners, surface_id) {
+      for (const auto v : corners)
+        places_.push_back({place(before.position(v)), v});
+    });
+    std::ranges::sort(places_);
+  }
+
+  /// Of `after`. Below 0 where none was there.
+  std::int64_t operator()(vertex_id v) const {
+    if (v < before_.vertex_slots() && before_.is_live_vertex(v) &&
+        before_.position(v) == after_.position(v))
+      return v;
+    const auto at = place(after_.position(v));
+    const auto found = std::ranges::lower_bound(places_, at, {}, &std::pair<key, vertex_id>::first);
+    return found != places_.end() && found->first == at ? found->second : -1 - std::int64_t{v};
+  }
+
+private:
+  using key = std::array<double, 3>;
+  static key place(vec3 p) { return {p.x, p.y, p.z}; }
+
+  const mesh_version& before_;
+  const mesh_version& after_;
+  std::vector<std::pair<key, vertex_id>> places_;  ///< Ascending.
+};
+
+template <class Vertex>
+facet_key key_of(const std::array<vertex_id, 3>& corners, surface_id surface,
+                 const Vertex& vertex) {
+  std::array<std::int64_t, 3> v{vertex(corners[0]), vertex(corners[1]), vertex(corners[2])};
+  std::ranges::sort(v);
+  return {v[0], v[1], v[2], surface};
 }
 
-bool is_fresh(const mesh_version& before, const mesh_version& after, vertex_id v) {
-  return v >= before.vertex_slots() || !before.is_live_vertex(v) ||
-         before.position(v) != after.position(v);
+/// Ascending.
+template <class Vertex>
+std::vector<facet_key> keys_of(const mesh_version& mesh, const Vertex& vertex) {
+  std::vector<facet_key> keys;
+  for_each_facet(
+    mesh, [&](const auto& v, surface_id surface) { keys.push_back(key_of(v, surface, vertex)); });
+  std::ranges::sort(keys);
+  return keys;
 }
 
 /// Points by the vertex of a version.
@@ -64,19 +94,13 @@ private:
 
 edited_surface surface_after(const mesh_version& before, const mesh_version& after) {
   edited_surface result;
-  const auto old_keys = keys_of(before);
-  const auto new_keys = keys_of(after);
-  const auto moved = [&](const std::array<vertex_id, 3>& corners) {
-    return std::ranges::any_of(corners, [&](vertex_id v) { return is_fresh(before, after, v); });
-  };
+  const earlier_vertices earlier(before, after);
+  const auto itself = [](vertex_id v) { return std::int64_t{v}; };
+  const auto old_keys = keys_of(before, itself);
+  const auto new_keys = keys_of(after, earlier);
   point_table old_points(before, result);
   for_each_facet(before, [&](const auto& v, surface_id surface) {
-    const bool is_gone = !std::ranges::binary_search(new_keys, key_of(v, surface)) ||
-                         std::ranges::any_of(v, [&](vertex_id one) {
-                           return one >= after.vertex_slots() || !after.is_live_vertex(one) ||
-                                  before.position(one) != after.position(one);
-                         });
-    if (is_gone)
+    if (!std::ranges::binary_search(new_keys, key_of(v, surface, itself)))
       result.triangles.push_back({old_points(v[0]), old_points(v[1]), old_points(v[2]),
                                   static_cast<std::int32_t>(surface), triangle_gone});
   });
@@ -84,12 +108,12 @@ edited_surface surface_after(const mesh_version& before, const mesh_version& aft
   point_table points(after, result);
   for_each_facet(after, [&](const auto& v, surface_id) {
     for (const auto one : v)
-      if (!is_fresh(before, after, one))
+      if (earlier(one) >= 0)
         points(one);
   });
   const auto not_fresh = result.points.size();
   for_each_facet(after, [&](const auto& v, surface_id surface) {
-    const bool is_made = moved(v) || !std::ranges::binary_search(old_keys, key_of(v, surface));
+    const bool is_made = !std::ranges::binary_search(old_keys, key_of(v, surface, earlier));
     result.triangles.push_back({points(v[0]), points(v[1]), points(v[2]),
                                 static_cast<std::int32_t>(surface),
                                 is_made ? triangle_made : triangle_kept});
