@@ -27,8 +27,11 @@ using triangle = std::array<gp_Pnt, 3>;
 /// A vertex may be beyond its face's rim by so many times what it may be off a surface. Where it is
 /// off the face that begins at that rim, the check against that one tells.
 constexpr double rim_share = 10;
-/// And where another face goes on there without a bend: its surface is on both.
+/// What edges of the model may be off its faces, in the same terms.
 constexpr double seam_share = 100;
+/// How far beyond the rim, where another face goes on there without a bend: surfaces that touch say
+/// only roughly where they do.
+constexpr double smooth_share = 500;
 
 /// Cosine: a triangle of a face bends away from it by less.
 constexpr double least_along = 0.3;
@@ -279,10 +282,11 @@ private:
   /// face's surface as the model's edges are, and on another face, which goes on there without a
   /// bend. Nothing for others.
   [[nodiscard]] std::optional<double> off_smooth_seam(int id, const gp_Pnt& p) {
-    const double near = seam_share * tolerance_;
+    const double beside = smooth_share * tolerance_;
     if (std::ranges::none_of(probes_of_[id], [&](std::size_t i) {
-          return probes_[i](p, near).distance < near &&
-                 probes_[i].distance_of_surface(p) <= std::clamp(probes_[i].vague(), tolerance_, near);
+          const double vague = std::clamp(probes_[i].vague(), tolerance_, seam_share * tolerance_);
+          return probes_[i](p, beside).distance < beside &&
+                 probes_[i].distance_of_surface(p) <= vague;
         }))
       return std::nullopt;
     double off = 2 * tolerance_;
