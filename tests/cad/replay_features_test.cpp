@@ -5,6 +5,7 @@
 #include <set>
 
 #include "base/attachment.hpp"
+#include "cad/edited_surface.hpp"
 #include "tests/cad/replayed_part.hpp"
 
 namespace tedit::test {
@@ -299,6 +300,29 @@ TEST_F(ReplayFeatures, ACutThatKeepsBothSidesMakesTwoSolids) {
   for (const auto& face : result.model.facts.faces)
     EXPECT_EQ(face.ids.size(), 1U);
   EXPECT_EQ(result.model.facts.faces.size(), 12U);
+}
+
+/// The half above has other vertices then, in the same places.
+TEST_F(ReplayFeatures, WhatACutDoesNotMeetIsNothingThatItHasMade) {
+  const auto made = edit({"plane_cut",
+                          {},
+                          {{"at", std::string("0.005,0.01,0.01")},
+                           {"normal", std::string("0,0,1")},
+                           {"keep", std::string("both")}},
+                          {}});
+  const auto surface = cad::surface_after(*mesh_, *made.version);
+  std::size_t far = 0;
+  for (const auto& t : surface.triangles) {
+    double low = 30;
+    for (int k = 0; k < 3; ++k)
+      low = std::min(low, surface.points[static_cast<std::size_t>(t[k])][2]);
+    if (low > 28) {
+      ++far;
+      EXPECT_EQ(t[4], cad::triangle_kept) << t[3];
+    }
+  }
+  EXPECT_GT(far, 10u);
+  EXPECT_LT(surface.fresh, surface.points.size() / 2);
 }
 
 TEST_F(ReplayFeatures, AnotherShapeThanTheMeshIsRefused) {

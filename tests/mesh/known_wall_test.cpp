@@ -98,6 +98,25 @@ TEST(KnownWall, NumbersThatMakeNoWallAreNone) {
   }
 }
 
+TEST(KnownWall, IsToldAsTheGeometryThatItIs) {
+  const auto part = frustum_with(fillet);
+  EXPECT_EQ(find_geometry(*part, skirt), fillet);
+  const auto top = find_geometry(*part, roof);
+  EXPECT_EQ(top.type, kind::plane);
+  EXPECT_NEAR(top.point.z, 0.002, 1e-15);
+  EXPECT_NEAR(std::abs(top.axis.z), 1, 1e-12);
+  for (const auto& geometry : {fillet, cone}) {
+    const auto mesh = frustum_with(geometry);
+    const auto wall = found(mesh);
+    const auto again = known_wall(geometry_of(*wall), corners_of(*mesh, side_of(*mesh)));
+    ASSERT_TRUE(again);
+    for (const vec3 p : {vec3{0.009, 0, 0.001}, vec3{0.02, 0.01, 0.003}})
+      EXPECT_NEAR(again->distance(p), wall->distance(p), 1e-15);
+  }
+  EXPECT_TRUE(has_geometries(*part));
+  EXPECT_FALSE(has_geometries(*frustum_with({})));
+}
+
 TEST(KnownWall, OneCornerMayHaveBeenMovedByAMeshersRepair) {
   // 2 % of 2 mm.
   EXPECT_TRUE(holds_with(fillet, 1, 0.03e-3));
@@ -111,6 +130,9 @@ TEST(KnownWall, CornersMayBeOffAsMuchAsEdgesOfTheModelAre) {
   EXPECT_TRUE(holds_with(loose, sectors, 0.9e-6));
   EXPECT_FALSE(holds_with(loose, sectors, 1.1e-6));
   EXPECT_FALSE(holds_with(fillet, sectors, 0.9e-6));
+  // Whatever the model says of them: 1e-5 of 2 mm.
+  EXPECT_TRUE(holds_with(fillet, sectors, 0.9e-8));
+  EXPECT_FALSE(holds_with(fillet, sectors, 2.5e-8));
   // What a damaged file says of its edges says nothing of the wall.
   loose.tolerance = 1;
   EXPECT_FALSE(holds_with(loose, sectors, 0.05e-3));

@@ -73,6 +73,33 @@ TEST(SettleOnWalls, WhatWasDraggedStaysThere) {
   EXPECT_FALSE(settled(base, builder.freeze()));
 }
 
+/// Who only makes tets better does not.
+TEST(SettleOnWalls, WhatHasMovedGoesBackWhereThatIsMeant) {
+  const auto base = frustum_with(fillet);
+  mesh_builder builder(base);
+  builder.set_position(rim_above, {0.01002, 0, 0.002});
+  builder.set_position(rim_below, {0.00801, 0, 0});
+  const auto made =
+    settle_on_walls(*base, builder.freeze(), lowest_q, {}, settling_vertices::moved);
+  ASSERT_TRUE(made && *made);
+  EXPECT_NEAR(norm((*made)->version->position(rim_above) - vec3{0.010, 0, 0.002}), 0, 1e-12);
+  // The torus touches the plane z = 0 there: along it the rim is anywhere.
+  EXPECT_NEAR((*made)->version->position(rim_below).z, 0, 1e-9);
+}
+
+/// A surface that is new, and whose tool has said that it is the fillet.
+TEST(SettleOnWalls, AVertexOnAChordOfWhatAToolHasMadeGoesOntoIt) {
+  const auto base = frustum_with(fillet);
+  mesh_builder builder(base);
+  const auto fresh = builder.add_surface("made", fillet);
+  for (const auto f : facets_of(*base, std::array{skirt}))
+    builder.set_surface(f, fresh);
+  const auto v = split_chord(builder);
+  const auto made = settled(base, builder.freeze());
+  ASSERT_TRUE(made);
+  EXPECT_NEAR(norm(made->version->position(v) - middle_of_arc), 0, 1e-15);
+}
+
 /// All of it 1 mm further out, where the model has no wall.
 TEST(SettleOnWalls, AWallThatHasMovedIsNotBroughtBack) {
   const auto base = frustum_with(fillet);

@@ -293,6 +293,15 @@ TEST_F(Boolean, ToolsThatAreNoneAreTold) {
   nameless.faces[0] = 99;
   EXPECT_EQ(refusal(nameless).code, ec::invalid_argument);
   EXPECT_EQ(refusal({}).code, ec::invalid_argument);
+  auto told = good;
+  told.geometries.resize(good.names.size() + 1);
+  EXPECT_THAT(refusal(told).message, HasSubstr("not each face has a geometry"));
+  told.geometries.assign(good.names.size(),
+                         {surface_geometry::kind::sphere, {0, 0, std::nan("")}, {}, 1});
+  EXPECT_THAT(refusal(told).message, HasSubstr("not finite"));
+  // A spline without its numbers.
+  told.geometries.front() = {surface_geometry::kind::spline};
+  EXPECT_EQ(refusal(told).code, ec::invalid_argument);
 }
 
 TEST_F(Boolean, AToolThatCutsItselfIsAnErrorAndNothingMore) {

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "mesh/checks.hpp"
+#include "mesh/features/known_wall.hpp"
 #include "ops/services/host_services.hpp"
 #include "ops/tools/tools.hpp"
 #include "tests/support/meshes.hpp"
@@ -205,6 +206,37 @@ TEST_F(VerticesOnWalls, ABarAcrossABoreEndsOnItsWall) {
   const auto added = made(bored(), rod(bar, 0.5, 24), boolean_mode::add);
 
   EXPECT_LT(furthest_off(*added.candidate, {bore_, bar}), 1e-12);
+}
+
+/// The rod of six edges, whose chords are .0268 off the wall, that says it is the bore.
+TEST_F(VerticesOnWalls, AToolOfFewFacetsThatSaysWhatItIsHasItsVerticesOnThat) {
+  auto tool = rod(bore_, 3, 6);
+  const surface_geometry cylinder{surface_geometry::kind::cylinder, bore_.point, bore_.axis,
+                                  bore_.radius};
+  tool.geometries.resize(tool.names.size());
+  const auto face = std::ranges::find(tool.names, "bore") - tool.names.begin();
+  tool.geometries[static_cast<std::size_t>(face)] = cylinder;
+  // The block, which says that its top is one.
+  mesh_builder named(block_);
+  const auto top =
+    named.add_surface("top of it", {surface_geometry::kind::plane, {0, 0, 1}, {0, 0, 1}});
+  for (facet_id f = 0; f < block_->facet_slots(); ++f)
+    if (std::ranges::all_of(block_->facet(f).v,
+                            [&](vertex_id v) { return block_->position(v).z == 1; }))
+      named.set_surface(f, top);
+  const auto block = named.freeze();
+
+  const auto cut = made(block, tool);
+  const auto as_polygon = made(block, rod(bore_, 3, 6));
+
+  const auto& after = *cut.candidate;
+  EXPECT_LT(furthest_off(after, {bore_}), 1e-12);
+  EXPECT_GT(furthest_off(*as_polygon.candidate, {bore_}), 0.02);
+  const auto row = std::ranges::find(after.surfaces(), "bore", &surface_info::name);
+  ASSERT_NE(row, after.surfaces().end());
+  EXPECT_EQ(row->geometry, cylinder);
+  EXPECT_EQ(find_geometry(after, row->id), cylinder);
+  EXPECT_EQ(after.find_surface(top)->geometry.type, surface_geometry::kind::plane);
 }
 
 TEST_F(VerticesOnWalls, AHoleInAFilletHasItsVerticesOnTheTorus) {

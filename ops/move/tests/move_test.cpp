@@ -59,6 +59,34 @@ TEST_F(Move, AThroughHoleGoesThroughWhereThePartIsThicker) {
   EXPECT_NEAR(area_of(*result->candidate, "bore"), 1.5 * area_of(*mesh, "bore"), 1e-5);
 }
 
+TEST_F(Move, ATiltedHoleGoesOnAlongItsAxis) {
+  const vec3 axis = normalized({0.4, 0, 1});
+  const vec3 mouth{0.25, 0.5, 0.2};
+  const double r = diameter / 2;
+  const auto tilted = combined(
+    plate_,
+    revolve(make_frame(mouth, axis),
+            {{0, 0.2, ""}, {r, 0.2, "top"}, {r, -0.4, "bore"}, {0, -0.4, "bottom"}}, 24, 0.04),
+    boolean_mode::cut);
+  const auto mesh = with_boss(tilted, {0.5, 0.3, 0.2}, {0.95, 0.7, 0.3});
+
+  const auto result = moved(mesh, surface_named(*mesh, "bore"), {0.4, 0, 0});
+
+  ASSERT_TRUE(result) << render(result.error());
+  expect_good(mesh, *result);
+  const auto& after = *result->candidate;
+  double highest = 0;
+  for (const auto f : facets_of(after, std::array{surface_named(after, "bore")}))
+    for (const auto v : after.facet(f).v) {
+      const vec3 p = after.position(v) - mouth - vec3{0.4, 0, 0};
+      // A corner, or a place on a chord of the 24.
+      EXPECT_NEAR(norm(p - dot(p, axis) * axis), r,
+                  r * (1 - std::cos(std::numbers::pi / 24)) + 1e-9);
+      highest = std::max(highest, after.position(v).z);
+    }
+  EXPECT_NEAR(highest, 0.3, 1e-9);
+}
+
 TEST_F(Move, ABossMovesWithItsNumbers) {
   const auto mesh = with_boss(plate_, {0.15, 0.35, 0.2}, {0.35, 0.65, 0.3});
   const auto top = surface_named(*mesh, "boss top");
