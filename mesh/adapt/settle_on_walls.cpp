@@ -177,13 +177,21 @@ private:
     const auto now = facets_of(candidate_, std::array{id});
     const auto before =
       may_be_round(id) ? facets_of(base_, std::array{id}) : std::vector<facet_id>();
-    auto known = before.empty() ? known_wall(candidate_, now, corners_of(candidate_, now))
-                                : wall_before(id, before);
-    if (known && (before.empty() || is_where_it_was(*known, before, now)))
+    auto known = before.empty() ? wall_of_tool(id, now) : wall_before(id, before);
+    if (known && (before.empty() ? is_where_it_is_said(*known, candidate_, now, now)
+                                 : is_where_it_is_said(*known, base_, before, now)))
       row->second = {std::move(known), true};
     else
       row->second.wall = fit_exact(corners_of(candidate_, now));
     return row->second;
+  }
+
+  /// What a tool has said of a surface that was not there.
+  [[nodiscard]] std::optional<exact_wall> wall_of_tool(surface_id id,
+                                                       const std::vector<facet_id>& facets) const {
+    if (base_.find_surface(id))
+      return std::nullopt;
+    return stated_wall(candidate_.find_surface(id)->geometry, corners_of(candidate_, facets));
   }
 
   /// Round walls that the CAD model has, and those that an earlier edit has made of it: their
@@ -202,13 +210,14 @@ private:
     return is_exact ? fitted : std::nullopt;
   }
 
-  /// Are new corners no further off the wall than its facets were?
-  [[nodiscard]] bool is_where_it_was(const exact_wall& wall, const std::vector<facet_id>& before,
-                                     const std::vector<facet_id>& now) const {
+  /// Are new corners no further off the wall than the chords of some of its facets?
+  [[nodiscard]] bool is_where_it_is_said(const exact_wall& wall, const mesh_version& mesh,
+                                         const std::vector<facet_id>& facets,
+                                         const std::vector<facet_id>& now) const {
     double chords = wall.vague;
-    for (const auto f : before) {
-      const auto& v = base_.facet(f).v;
-      const std::array p{base_.position(v[0]), base_.position(v[1]), base_.position(v[2])};
+    for (const auto f : facets) {
+      const auto& v = mesh.facet(f).v;
+      const std::array p{mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2])};
       for (int k = 0; k < 3; ++k)
         chords = std::max(chords, std::abs(wall.distance(0.5 * (p[k] + p[(k + 1) % 3]))));
       chords = std::max(chords, std::abs(wall.distance((p[0] + p[1] + p[2]) / 3)));

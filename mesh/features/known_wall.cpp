@@ -129,20 +129,23 @@ std::optional<exact_wall> known_wall(const mesh_version& mesh, std::span<const f
   return geometry ? known_wall(*geometry, corners) : std::nullopt;
 }
 
-std::optional<exact_wall> known_wall(const surface_geometry& geometry,
-                                     const facet_corners& corners) {
+std::optional<exact_wall> stated_wall(const surface_geometry& geometry,
+                                      const facet_corners& corners) {
   if (geometry.type == surface_geometry::kind::none || corners.points.empty())
     return std::nullopt;
   auto wall = wall_of(geometry);
   bring_near(corners.points, wall);
   if (!has_radii(geometry.type, wall))
     return std::nullopt;
-  const double scale = scale_of(corners.points, wall);
-  wall.vague = std::clamp(wall.vague, 0.0, furthest_off * scale);
-  if (!holds(corners, wall, scale))
-    return std::nullopt;
+  wall.vague = std::clamp(wall.vague, 0.0, furthest_off * scale_of(corners.points, wall));
   turn_outward(corners, wall);
   return wall;
+}
+
+std::optional<exact_wall> known_wall(const surface_geometry& geometry,
+                                     const facet_corners& corners) {
+  auto wall = stated_wall(geometry, corners);
+  return wall && holds(corners, *wall, scale_of(corners.points, *wall)) ? wall : std::nullopt;
 }
 
 std::optional<exact_wall> find_exact(const mesh_version& mesh, std::span<const facet_id> facets) {

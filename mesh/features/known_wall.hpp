@@ -21,7 +21,12 @@ namespace tedit {
                                                    std::span<const facet_id> facets,
                                                    const facet_corners& corners);
 
-/// The same of a geometry that no version has, as of a tool.
+/// What a geometry says, whether or not it holds of the facets: nothing where its numbers make no
+/// wall.
+[[nodiscard]] std::optional<exact_wall> stated_wall(const surface_geometry& geometry,
+                                                    const facet_corners& corners);
+
+/// The same where it holds: of a geometry that no version has, as of a tool.
 [[nodiscard]] std::optional<exact_wall> known_wall(const surface_geometry& geometry,
                                                    const facet_corners& corners);
 

@@ -52,7 +52,7 @@ constexpr layout_fact frozen[] = {
   {"planar_filling", 48, 0x7d93967f2853a88d},
   {"services", 0, 0xda3629db1cab812e},
   {"operation", 0, 0x731b0c3d0c677991},
-  {"tool_surface", 120, 0x0},
+  {"tool_surface", 120, 0xba369c31a7268b25},
   {"boolean_request", 16, 0x2a9ab27f8a4524f9},
   {"boolean_mode", 4, 0x2},
   {"boolean_result", 96, 0x3c7eb4507c08dfd5},
