@@ -14,6 +14,7 @@
 
 #include "cad/editor/face_probe.hpp"
 #include "cad/editor/face_samples.hpp"
+#include "cad/editor/measure_solids.hpp"
 #include "cad/editor/ways.hpp"
 #include "mesh/distances.hpp"
 #include "mesh/facet_distance.hpp"
@@ -90,7 +91,7 @@ public:
     if (result_.fault.empty())
       check_volume();
     if (result_.fault.empty())
-      measure_solids();
+      measure_solids(before_, result_.part);
     return std::move(result_);
   }
 
@@ -335,6 +336,15 @@ private:
     return off < near ? off : 0;
   }
 
+  /// Of all triangles of some surfaces.
+  [[nodiscard]] double off_corners(const std::vector<int>& surfaces) {
+    double off = 0;
+    for (const int id : surfaces)
+      for (const auto i : triangles_of_.at(id))
+        off = std::max(off, off_corners(i));
+    return off;
+  }
+
   void check_triangles() {
     for (std::size_t i = 0; i < mesh_.triangles.size(); ++i) {
       if (mesh_.triangles[i][4] != triangle_made)
@@ -372,7 +382,7 @@ private:
            samples_of(probes_[k].face(), std::max(edge, 1e-3 * step_.size_mm))) {
         const double allowed = tolerance_ + sagitta(edge, sample.curvature);
         const double far = to_mesh({sample.at.X(), sample.at.Y(), sample.at.Z()}, longest);
-        if (far > allowed) {
+        if (far > allowed && far > allowed + off_corners(result_.part.facts.faces[k].ids)) {
           result_.fault = "its face at " + place(sample.at) + " is " + mm(far) + " off the mesh";
           return;
         }
@@ -407,66 +417,18 @@ private:
     }
   }
 
-  /// The surfaces of each solid.
-  static std::vector<std::set<int>> surfaces_of_solids(const part_model& part) {
-    std::vector<std::set<int>> result;
-    for (const auto& solid : solids_of(part.shape)) {
-      auto& ids = result.emplace_back();
-      for (TopExp_Explorer faces(solid, TopAbs_FACE); faces.More(); faces.Next())
-        if (const auto i = part.faces.FindIndex(faces.Current()); i > 0)
-          for (const int id : part.facts.faces[static_cast<std::size_t>(i - 1)].ids)
-            ids.insert(id);
-    }
-    return result;
-  }
-
-  /// A piece is called as the solid that it has most of its surfaces of.
-  void name_pieces() {
-    const auto old = surfaces_of_solids(before_);
-    result_.part.facts.solids.clear();
-    for (const auto& ids : surfaces_of_solids(result_.part)) {
-      std::size_t best = 0;
-      std::ptrdiff_t most = -1;
-      for (std::size_t i = 0; i < old.size(); ++i)
-        if (const auto shared =
-              std::ranges::count_if(ids, [&](int id) { return old[i].contains(id); });
-            shared > most) {
-          most = shared;
-          best = i;
-        }
-      result_.part.facts.solids.push_back(before_.facts.solids.at(best));
-    }
-  }
-
-  /// Each way leaves the solids in their order, with their names.
-  void measure_solids() {
-    const auto solids = solids_of(result_.part.shape);
-    if (solids.size() != before_.facts.solids.size())
-      name_pieces();
-    for (std::size_t i = 0; i < solids.size(); ++i) {
-      auto& row = result_.part.facts.solids[i];
-      row.area_mm2 = cad::area_of(solids[i]);
-      row.volume_mm3 = 0;
-      for (TopExp_Explorer faces(solids[i], TopAbs_FACE); faces.More(); faces.Next())
-        row.volume_mm3 += volume_below(TopoDS::Face(faces.Current()));
-    }
-  }
-
   /// What the chords of the faces that went left out.
   void add_chords_of_gone() {
     std::map<int, std::vector<face_probe>> old;
-    for (const auto& t : mesh_.triangles) {
+    for (std::size_t i = 0; i < mesh_.triangles.size(); ++i) {
+      const auto& t = mesh_.triangles[i];
       if (t[4] != triangle_gone)
         continue;
       auto& probes = old[t[3]];
       if (probes.empty())
         for (const auto& face : before_.faces_of({t[3]}))
           probes.emplace_back(face);
-      triangle c;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const auto& p = mesh_.points[static_cast<std::size_t>(t[k])];
-        c[k] = gp_Pnt(p[0], p[1], p[2]);
-      }
+      const auto c = corners(i);
       const double edge = longest_edge(c);
       face_probe::finding best;
       best.distance = edge;
