@@ -25,6 +25,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/attachment.hpp"
+#include "base/part_sizes.hpp"
 #include "cad/import.hpp"
 #include "cad/replay.hpp"
 #include "edit/make_edit.hpp"
@@ -324,7 +325,7 @@ void run_features(cad_run& run, const nlohmann::json& features, std::uint64_t se
 
 /// `mesh`: a file, or the size ("medium") at which the CAD file is meshed as `tedit import` does.
 expected<state> base_of(const char* cad_file, const std::string& mesh, const char* unit) {
-  if (mesh == "coarse" || mesh == "medium" || mesh == "fine") {
+  if (std::ranges::find(part_sizes, mesh) != part_sizes.end()) {
     auto part = cad::import_part({cad_file, mesh, {}, {}}, {});
     if (!part)
       return fail(part.error());

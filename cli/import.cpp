@@ -10,6 +10,7 @@
 
 #include "actors/cad/first_version.hpp"
 #include "base/number_range.hpp"
+#include "base/part_sizes.hpp"
 #include "base/stopwatch.hpp"
 #include "cli/command.hpp"
 #include "cli/import_mesh_file.hpp"
@@ -291,7 +292,8 @@ void add_import(CLI::App& app, action& chosen) {
     "--size", options->request.size,
     "How fine: coarse (one tet through the mean wall, 6 edges on a circle), medium "
     "(two, 8) or fine (three, 12)");
-  size->check(CLI::IsMember({"coarse", "medium", "fine"}))->capture_default_str();
+  size->check(CLI::IsMember(std::vector<std::string>(part_sizes.begin(), part_sizes.end())))
+    ->capture_default_str();
   command->add_option("--local-size", options->local_sizes,
                       "SURFACE=MM, again and again: the longest edge on a surface of a CAD file, "
                       "by its number or name; edges grow from there");

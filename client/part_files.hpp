@@ -18,7 +18,4 @@ inline constexpr std::array<std::string_view, 4> surface_suffixes{"stl", "obj", 
 /// Whether a file is a surface without CAD, by its suffix.
 [[nodiscard]] bool is_surface_file(const std::filesystem::path& file);
 
-/// How fine a part may be meshed.
-inline constexpr std::array<std::string_view, 3> part_sizes{"coarse", "medium", "fine"};
-
 }  // namespace tedit::client

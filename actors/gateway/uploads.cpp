@@ -11,6 +11,7 @@
 #include "actors/gateway/client_actor.hpp"
 #include "actors/session/session.hpp"
 #include "base/number_range.hpp"
+#include "base/part_sizes.hpp"
 #include "base/text.hpp"
 
 namespace tedit::gateway {
@@ -26,7 +27,6 @@ constexpr std::size_t most_uploads = 64;
 constexpr std::size_t longest_file_name = 200;
 
 // What ImportPart may say.
-constexpr std::array<std::string_view, 3> finenesses{"coarse", "medium", "fine"};
 constexpr std::array<std::string_view, 4> length_units{"mm", "cm", "m", "in"};
 constexpr int most_local_sizes = 1000;
 
@@ -173,7 +173,7 @@ expected<part_order> read_order(const v1::ImportPart& body) {
   order.length_unit = body.length_unit();
   if (!body.fineness().empty())
     order.size = body.fineness();
-  if (auto ok = check_word(order.size, finenesses, "fineness"); !ok)
+  if (auto ok = check_word(order.size, part_sizes, "fineness"); !ok)
     return fail(ok.error());
   if (!order.length_unit.empty())
     if (auto ok = check_word(order.length_unit, length_units, "unit of length"); !ok)

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <span>
 
+#include "base/part_sizes.hpp"
 #include "client/part_files.hpp"
 #include "client/recipe.hpp"
 #include "client/recipes/field_reader.hpp"
