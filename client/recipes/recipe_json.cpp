@@ -3,7 +3,6 @@
 #include <span>
 
 #include "base/part_sizes.hpp"
-#include "client/part_files.hpp"
 #include "client/recipe.hpp"
 #include "client/recipes/field_reader.hpp"
 #include "client/recipes/recipe_reading.hpp"
