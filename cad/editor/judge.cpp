@@ -279,20 +279,32 @@ private:
     return best;
   }
 
-  /// mm, off the model: of a vertex that is just beyond its face's rim, but still as near to the
-  /// face's surface as the model's edges are, and on another face, which goes on there without a
-  /// bend. Nothing for others.
-  [[nodiscard]] std::optional<double> off_smooth_seam(int id, const gp_Pnt& p) {
+  /// mm: how far a point is off the surfaces of those of some faces that end beside it at most.
+  template <class Faces>
+  [[nodiscard]] double off_surfaces(const Faces& faces, const gp_Pnt& p) {
     const double beside = smooth_share * tolerance_;
-    if (std::ranges::none_of(probes_of_[id], [&](std::size_t i) {
-          const double vague = std::clamp(probes_[i].vague(), tolerance_, seam_share * tolerance_);
-          return probes_[i](p, beside).distance < beside &&
-                 probes_[i].distance_of_surface(p) <= vague;
-        }))
+    double off = beside;
+    for (const auto i : faces)
+      if (probes_[i](p, beside).distance < beside)
+        off = std::min(off, probes_[i].distance_of_surface(p));
+    return off;
+  }
+
+  /// mm, off the model: of a vertex that is just beyond its face's rim, but still as near to the
+  /// face's surface as the model's edges are, and on the surface of another face, which goes on
+  /// there without a bend. Nothing for others.
+  [[nodiscard]] std::optional<double> off_smooth_seam(int id, const gp_Pnt& p) {
+    const auto& own = probes_of_[id];
+    double vague = tolerance_;
+    for (const auto i : own)
+      vague = std::max(vague, std::min(probes_[i].vague(), seam_share * tolerance_));
+    if (off_surfaces(own, p) > vague)
       return std::nullopt;
-    double off = 2 * tolerance_;
-    for (auto& face : probes_)
-      off = std::min(off, face(p, off).distance);
+    std::vector<std::size_t> others;
+    for (std::size_t i = 0; i < probes_.size(); ++i)
+      if (std::ranges::find(own, i) == own.end())
+        others.push_back(i);
+    const double off = off_surfaces(others, p);
     return off <= tolerance_ ? std::optional(off) : std::nullopt;
   }
 
@@ -324,15 +336,17 @@ private:
     }
   }
 
-  /// mm: how far corners of a triangle that were there before are off its faces, as the model's own
-  /// edges may be.
+  /// mm: how far corners of a triangle are off its faces, as the model's own edges may be: those
+  /// that were there before, and new ones on smooth seams.
   [[nodiscard]] double off_corners(std::size_t i) {
     const auto first_fresh = static_cast<std::int32_t>(mesh_.points.size() - mesh_.fresh);
     const double near = seam_share * tolerance_;
     double off = 0;
+    const int id = mesh_.triangles[i][3];
     for (std::size_t k = 0; k < 3; ++k)
-      if (mesh_.triangles[i][k] < first_fresh)
-        off = std::max(off, nearest(mesh_.triangles[i][3], corners(i)[k], near).distance);
+      off = std::max(off, mesh_.triangles[i][k] < first_fresh
+                            ? nearest(id, corners(i)[k], near).distance
+                            : off_surfaces(probes_of_[id], corners(i)[k]));
     return off < near ? off : 0;
   }
 
