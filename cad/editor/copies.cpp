@@ -126,6 +126,25 @@ gp_Vec common_way(const std::vector<BRepAdaptor_Surface>& walls) {
   return way;
 }
 
+/// Does the rim go that way for a bit, as where a hole is open at its side?
+bool runs_along(const TopoDS_Face& cap, const gp_Vec& way) {
+  constexpr int steps = 12;
+  for (TopExp_Explorer edges(cap, TopAbs_EDGE); edges.More(); edges.Next()) {
+    if (BRep_Tool::Degenerated(TopoDS::Edge(edges.Current())))
+      continue;
+    const BRepAdaptor_Curve curve(TopoDS::Edge(edges.Current()));
+    const double from = curve.FirstParameter();
+    const double to = curve.LastParameter();
+    for (int i = 0; i < steps; ++i) {
+      const gp_Vec along(curve.Value(from + (to - from) * i / steps),
+                         curve.Value(from + (to - from) * (i + 1) / steps));
+      if (along.Crossed(way).Magnitude() < least_out * along.Magnitude())
+        return true;
+    }
+  }
+  return false;
+}
+
 /// As `find_ways` of the mesh's tools has it.
 gp_Vec way_of(const feature_lid& lid, const feature& what) {
   TopTools_IndexedMapOfShape rim;
@@ -139,7 +158,8 @@ gp_Vec way_of(const feature_lid& lid, const feature& what) {
       }
   const auto way = common_way(walls);
   const double out = way.Dot(lid.outward);
-  return std::abs(out) < least_out ? lid.outward : way * std::copysign(1.0, out);
+  return std::abs(out) < least_out || runs_along(lid.cap, way) ? lid.outward
+                                                               : way * std::copysign(1.0, out);
 }
 
 /// Where a ray first meets the part.

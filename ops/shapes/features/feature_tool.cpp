@@ -125,6 +125,15 @@ std::optional<vec3> common_way(const std::vector<surface_geometry>& walls) {
   return is_common ? way : std::nullopt;
 }
 
+/// Does the rim go that way for a bit, as where a hole is open at its side? The walls cannot go on
+/// from there.
+bool runs_along(const tool_surface& tool, const lid& one, vec3 way) {
+  return std::ranges::any_of(one.rim, [&](const std::array<std::uint32_t, 2>& edge) {
+    const vec3 along = tool.points[edge[1]] - tool.points[edge[0]];
+    return norm(cross(along, way)) < least_out * norm(along);
+  });
+}
+
 /// `shapes`: what the faces stand for.
 void find_ways(feature_tool& feature, const std::vector<surface_geometry>& shapes) {
   const auto walls = wall_edges(feature.tool);
@@ -137,7 +146,9 @@ void find_ways(feature_tool& feature, const std::vector<surface_geometry>& shape
       around.push_back(shapes[face]);
     const auto way = common_way(around);
     const double out = way ? dot(*way, lid.normal) : 0;
-    lid.way = std::abs(out) < least_out ? lid.normal : std::copysign(1.0, out) * *way;
+    lid.way = std::abs(out) < least_out || runs_along(feature.tool, lid, *way)
+                ? lid.normal
+                : std::copysign(1.0, out) * *way;
   }
 }
 
