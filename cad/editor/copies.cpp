@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Holes and bosses that are made again elsewhere, of their own faces.
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 
@@ -49,27 +51,30 @@ gp_Trsf transformation(const step_motion& way) {
   return result;
 }
 
+using chord = std::array<gp_Pnt, 2>;
+
 /// What closes a feature, and which way is out of its body.
 struct feature_lid {
   TopoDS_Face cap;
   gp_Vec outward;  ///< Unit.
   gp_Vec way;      ///< Unit: which way the walls go on, where they all go one way; else outward.
-  std::vector<gp_Pnt> rim;
+  std::vector<chord> rim;
 };
 
-std::vector<gp_Pnt> rim_of(const TopoDS_Face& cap) {
+/// Twelve of each edge.
+std::vector<chord> rim_of(const TopoDS_Face& cap) {
   constexpr int an_edge = 12;
-  std::vector<gp_Pnt> points;
+  std::vector<chord> chords;
   for (TopExp_Explorer edges(cap, TopAbs_EDGE); edges.More(); edges.Next()) {
     if (BRep_Tool::Degenerated(TopoDS::Edge(edges.Current())))
       continue;
     const BRepAdaptor_Curve curve(TopoDS::Edge(edges.Current()));
     const double from = curve.FirstParameter();
-    const double to = curve.LastParameter();
+    const double step = (curve.LastParameter() - from) / an_edge;
     for (int i = 0; i < an_edge; ++i)
-      points.push_back(curve.Value(from + (to - from) * i / an_edge));
+      chords.push_back({curve.Value(from + step * i), curve.Value(from + step * (i + 1))});
   }
-  return points;
+  return chords;
 }
 
 feature_lid lid_of(const TopoDS_Face& cap, const TopoDS_Shape& body, double near) {
@@ -86,8 +91,8 @@ feature_lid lid_of(const TopoDS_Face& cap, const TopoDS_Shape& body, double near
   // By a point beside the rim, which is inside on one side: the middle may be in a hole of the cap.
   int inside = 0;
   for (const auto& solid : solids_of(body))
-    for (const auto& edge_point : result.rim) {
-      const gp_Pnt beside = edge_point.Translated(gp_Vec(edge_point, at) * 1e-2);
+    for (const auto& one : result.rim) {
+      const gp_Pnt beside = one[0].Translated(gp_Vec(one[0], at) * 1e-2);
       BRepClass3d_SolidClassifier where(solid);
       where.Perform(beside.Translated(result.outward * near), near * 1e-3);
       inside += where.State() == TopAbs_IN ? 1 : 0;
@@ -127,22 +132,11 @@ gp_Vec common_way(const std::vector<BRepAdaptor_Surface>& walls) {
 }
 
 /// Does the rim go that way for a bit, as where a hole is open at its side?
-bool runs_along(const TopoDS_Face& cap, const gp_Vec& way) {
-  constexpr int steps = 12;
-  for (TopExp_Explorer edges(cap, TopAbs_EDGE); edges.More(); edges.Next()) {
-    if (BRep_Tool::Degenerated(TopoDS::Edge(edges.Current())))
-      continue;
-    const BRepAdaptor_Curve curve(TopoDS::Edge(edges.Current()));
-    const double from = curve.FirstParameter();
-    const double to = curve.LastParameter();
-    for (int i = 0; i < steps; ++i) {
-      const gp_Vec along(curve.Value(from + (to - from) * i / steps),
-                         curve.Value(from + (to - from) * (i + 1) / steps));
-      if (along.Crossed(way).Magnitude() < least_out * along.Magnitude())
-        return true;
-    }
-  }
-  return false;
+bool runs_along(const std::vector<chord>& rim, const gp_Vec& way) {
+  return std::ranges::any_of(rim, [&](const chord& one) {
+    const gp_Vec along(one[0], one[1]);
+    return along.Crossed(way).Magnitude() < least_out * along.Magnitude();
+  });
 }
 
 /// As `find_ways` of the mesh's tools has it.
@@ -158,7 +152,7 @@ gp_Vec way_of(const feature_lid& lid, const feature& what) {
       }
   const auto way = common_way(walls);
   const double out = way.Dot(lid.outward);
-  return std::abs(out) < least_out || runs_along(lid.cap, way) ? lid.outward
+  return std::abs(out) < least_out || runs_along(lid.rim, way) ? lid.outward
                                                                : way * std::copysign(1.0, out);
 }
 
@@ -181,8 +175,8 @@ double layer_on(IntCurvesFace_ShapeIntersector& part, const feature_lid& lid, co
                 const cad_step& step) {
   const gp_Vec normal = lid.way.Transformed(way);
   double most = 0;
-  for (const auto& p : lid.rim) {
-    const auto from = p.Transformed(way);
+  for (const auto& one : lid.rim) {
+    const auto from = one[0].Transformed(way);
     const auto back = step.is_hole ? 0 : 0.1 * on_surface * step.edge_mm;
     const auto hit = along(part, from.Translated(normal * -back), normal, 1e-9 * step.size_mm);
     if (hit.distance > 0 && hit.leaves == step.is_hole &&
