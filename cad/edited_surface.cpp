@@ -26,9 +26,13 @@ class earlier_vertices {
 public:
   earlier_vertices(const mesh_version& before, const mesh_version& after)
       : before_(before), after_(after) {
+    std::vector<bool> seen(before.vertex_slots());
     for_each_facet(before, [&](const auto& corners, surface_id) {
       for (const auto v : corners)
-        places_.push_back({place(before.position(v)), v});
+        if (!seen[v]) {
+          seen[v] = true;
+          places_.push_back({place(before.position(v)), v});
+        }
     });
     std::ranges::sort(places_);
   }

@@ -290,7 +290,7 @@ private:
     return off;
   }
 
-  /// mm, off the model: of a vertex that is just beyond its face's rim, but still as near to the
+  /// mm, off its surface: of a vertex that is just beyond its face's rim, but still as near to the
   /// face's surface as the model's edges are, and on the surface of another face, which goes on
   /// there without a bend. Nothing for others.
   [[nodiscard]] std::optional<double> off_smooth_seam(int id, const gp_Pnt& p) {
@@ -298,14 +298,14 @@ private:
     double vague = tolerance_;
     for (const auto i : own)
       vague = std::max(vague, std::min(probes_[i].vague(), seam_share * tolerance_));
-    if (off_surfaces(own, p) > vague)
+    const double off = off_surfaces(own, p);
+    if (off > vague)
       return std::nullopt;
     std::vector<std::size_t> others;
     for (std::size_t i = 0; i < probes_.size(); ++i)
       if (std::ranges::find(own, i) == own.end())
         others.push_back(i);
-    const double off = off_surfaces(others, p);
-    return off <= tolerance_ ? std::optional(off) : std::nullopt;
+    return off_surfaces(others, p) <= tolerance_ ? std::optional(off) : std::nullopt;
   }
 
   void check_vertices() {
@@ -323,9 +323,9 @@ private:
         // Most are on a face: far ones are looked for only where none is that near.
         const double near = nearest(t[3], p, 2 * tolerance_).distance;
         double far = near <= tolerance_ ? near : nearest(t[3], p, at_most).distance;
-        if (far > tolerance_)
-          far = std::min(far, off_smooth_seam(t[3], p).value_or(far));
-        if (far > tolerance_) {
+        const auto seam = far > tolerance_ ? off_smooth_seam(t[3], p) : std::nullopt;
+        far = seam.value_or(far);
+        if (far > tolerance_ && !seam) {
           result_.fault = "the mesh's vertex at " + place(p) + " on surface " +
                           std::to_string(t[3]) + " is " + (far < at_most ? "" : "more than ") +
                           mm(far) + " off its faces";

@@ -177,9 +177,10 @@ private:
     const auto now = facets_of(candidate_, std::array{id});
     const auto before =
       may_be_round(id) ? facets_of(base_, std::array{id}) : std::vector<facet_id>();
-    auto known = before.empty() ? wall_of_tool(id, now) : wall_before(id, before);
-    if (known && (before.empty() ? is_where_it_is_said(*known, candidate_, now, now)
-                                 : is_where_it_is_said(*known, base_, before, now)))
+    const bool is_made = before.empty();
+    auto known = is_made ? wall_of_tool(id, now) : wall_before(id, before);
+    if (known &&
+        is_where_it_is_said(*known, is_made ? candidate_ : base_, is_made ? now : before, now))
       row->second = {std::move(known), true};
     else
       row->second.wall = fit_exact(corners_of(candidate_, now));

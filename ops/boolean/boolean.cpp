@@ -71,12 +71,12 @@ public:
     // these and their arcs is more than many an edit.
     if (!moves_walls(*mesh_, tool, continues, near_))
       walls_.emplace(*mesh_, flush_.tool, continues);
-    // In a part that says of its surfaces what they are those of the tool say so, too.
-    if (walls_ && has_geometries(*mesh_))
-      flush_.tool.geometries = walls_->tool_geometries();
   }
 
   expected<boolean_result> best() {
+    // In a part that says of its surfaces what they are those of the tool say so, too.
+    if (walls_ && has_geometries(*mesh_))
+      flush_.tool.geometries = walls_->tool_geometries();
     const auto finder = make_finder();
     // Somebody waits: a large tool is tried fewer times. Not by the clock: the same edit gives the
     // same version everywhere.
