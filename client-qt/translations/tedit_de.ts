@@ -10697,6 +10697,14 @@
         <source>the tool and the part could not be cut with each other (%1)</source>
         <translation>Werkzeug und Teil ließen sich nicht miteinander schneiden (%1)</translation>
     </message>
+    <message>
+        <source>not each face has a geometry, or none</source>
+        <translation>nicht jede Seite hat eine Form, oder keine</translation>
+    </message>
+    <message>
+        <source>the geometry of a face is of no known kind, or not finite</source>
+        <translation>die Form einer Seite ist von keiner bekannten Art oder nicht endlich</translation>
+    </message>
 </context>
 <context>
     <name>server_lists</name>
