@@ -38,6 +38,7 @@ namespace {
 constexpr double out_of_part = 0.5;
 constexpr double into_part = 0.2;
 constexpr double on_surface = 1e-3;
+constexpr double within_rim = 0.01;
 constexpr double one_way = 1e-6;
 constexpr double least_turn = 1e-2;
 constexpr double least_out = 0.2;
@@ -175,8 +176,11 @@ double layer_on(IntCurvesFace_ShapeIntersector& part, const feature_lid& lid, co
                 const cad_step& step) {
   const gp_Vec normal = lid.way.Transformed(way);
   double most = 0;
+  gp_XYZ middle;
+  for (const auto& one : lid.rim)
+    middle += one[0].XYZ() / static_cast<double>(lid.rim.size());
   for (const auto& one : lid.rim) {
-    const auto from = one[0].Transformed(way);
+    const auto from = gp_Pnt(one[0].XYZ() + within_rim * (middle - one[0].XYZ())).Transformed(way);
     const auto back = step.is_hole ? 0 : 0.1 * on_surface * step.edge_mm;
     const auto hit = along(part, from.Translated(normal * -back), normal, 1e-9 * step.size_mm);
     if (hit.distance > 0 && hit.leaves == step.is_hole &&

@@ -21,6 +21,9 @@ constexpr double out_of_part = 0.5;
 constexpr double into_part = 0.2;
 /// What is nearer than this share of the local edge lies on the part's surface.
 constexpr double on_surface = 1e-3;
+/// Rays begin this share of the way from the rim to its middle: those from the rim itself run along
+/// the walls of a hole that the copy is in line with.
+constexpr double within_rim = 0.01;
 /// Sines and cosines: walls that go one way, planes that cross, and a way that leads out of a lid.
 constexpr double one_way = 1e-6;
 constexpr double least_turn = 1e-2;
@@ -217,10 +220,14 @@ double layer_on(const mesh_version& mesh, const feature_tool& feature, const too
                 const lid& one, vec3 way, double size) {
   std::vector<vec3> rim;
   box extent;
+  vec3 middle;
   for (const auto& edge : one.rim) {
     rim.push_back(tool.points[edge[0]]);
     extent.add(rim.back());
+    middle += rim.back() / static_cast<double>(one.rim.size());
   }
+  for (auto& p : rim)
+    p += within_rim * (middle - p);
   if (feature.mode == boolean_mode::cut)
     return way_out(mesh, rim, way) + out_of_part * size;
   const double gap = way_in(mesh, rim, way, norm(extent.high - extent.low), size);
