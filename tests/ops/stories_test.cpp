@@ -180,6 +180,17 @@ TEST_F(Stories, AFlangeWithADentThatAFilledBoreLeftIsNoPocket) {
   EXPECT_EQ(dent->front().surfaces.size(), 2U);
 }
 
+/// The rim of the copy lies in line with the walls of the hole, and nothing else is there.
+TEST_F(Stories, ACopyInLineWithItsHoleIsNoCutAlongTheHolesWalls) {
+  const auto base = part("bracket_4040");
+  ASSERT_TRUE(base);
+  for (const char* by : {"0,0.012,0", "0,-0.012,0"}) {
+    const auto made = edit(base, "move", {2}, {{"by", std::string(by)}, {"copy", true}});
+    ASSERT_FALSE(made) << made->volume_change;
+    EXPECT_EQ(made.error().code, ec::empty_selection) << render(made.error());
+  }
+}
+
 TEST_F(Stories, LayersAreTakenWhereTheyAloneAreGiven) {
   const auto erode = plugins_.find("erode");
   ASSERT_TRUE(erode);

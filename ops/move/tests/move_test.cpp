@@ -87,17 +87,6 @@ TEST_F(Move, ATiltedHoleGoesOnAlongItsAxis) {
   EXPECT_NEAR(highest, 0.3, 1e-9);
 }
 
-/// Its walls are in line with those of the hole that is there.
-TEST_F(Move, ACopyAlongTheAxisCutsWhatIsThereOrNothing) {
-  const auto mesh = with_hole({0.3, 0.5, 0.2});
-  const auto bore = surface_named(*mesh, "bore");
-
-  const auto above = moved(mesh, bore, {0, 0, 0.7}, true);
-
-  ASSERT_FALSE(above);
-  EXPECT_EQ(above.error().code, ec::empty_selection) << render(above.error());
-}
-
 TEST_F(Move, ABossMovesWithItsNumbers) {
   const auto mesh = with_boss(plate_, {0.15, 0.35, 0.2}, {0.35, 0.65, 0.3});
   const auto top = surface_named(*mesh, "boss top");
