@@ -337,12 +337,13 @@ template <class... Operations>
 }  // namespace tedit::ops
 
 /// Registers operation classes as a plugin; stands once in the plugin's operation.cpp, outside all
-/// namespaces: TEDIT_PLUGIN("fill_hole", "1.1.0", fill_hole).
-#define TEDIT_PLUGIN(name, version, ...)                                                    \
-  extern "C" __attribute__((visibility("default"))) const tedit::ops::plugin_descriptor*    \
-  tedit_plugin_query() {                                                                    \
-    static const auto descriptor = tedit::ops::make_descriptor<__VA_ARGS__>(name, version); \
-    return &descriptor;                                                                     \
+/// namespaces: TEDIT_PLUGIN("fill_hole", "1.1.0", fill_hole). Weak, so that one program (a test)
+/// may link the code of several.
+#define TEDIT_PLUGIN(name, version, ...)                                                       \
+  extern "C" __attribute__((visibility("default"), weak)) const tedit::ops::plugin_descriptor* \
+  tedit_plugin_query() {                                                                       \
+    static const auto descriptor = tedit::ops::make_descriptor<__VA_ARGS__>(name, version);    \
+    return &descriptor;                                                                        \
   }
 
 // -- how that is done: nothing that an author needs ---------------------------------------------

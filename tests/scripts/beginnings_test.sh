@@ -17,7 +17,7 @@ git -C "$source" rev-parse --git-dir >/dev/null 2>&1 || { echo "skipped: this tr
 
 # What scripts/run.sh builds.
 cd "$work/tree"
-read -r preset target <<<"$(sed -nE 's|^scripts/build.sh (\w+) (\w+)$|\1 \2|p' scripts/run.sh)"
+read -r preset target <<<"$(sed -nE 's|^scripts/build.sh (\w+) ([a-z-]+)$|\1 \2|p' scripts/run.sh | tail -1)"
 [ -n "$target" ] || { echo "scripts/run.sh does not say what it builds" >&2; exit 1; }
 cmake --preset "$preset" >"$work/log" 2>&1 || { tail -20 "$work/log" >&2; exit 1; }
 cd "build/$preset"
@@ -25,7 +25,7 @@ while read -r file; do
   mkdir -p "$(dirname "$file")"
   [ ! -f "$build/$file" ] || cp "$build/$file" "$file"
 done < <(ninja -t commands "$target" | grep -oE '(-o|ar qc) (bin/|[^ ]+\.(so|a)\b)[^ ]*' | sed -E 's/^(-o|ar qc) //' | sort -u)
-[ -x "bin/$target" ] && [ -e lib/tedit/plugins/fill_hole.so ] || { echo "nothing was built in $build" >&2; exit 1; }
+[ -x bin/tedit ] && [ -e lib/tedit/plugins/fill_hole.so ] || { echo "nothing was built in $build" >&2; exit 1; }
 cd "$work/tree"
 
 # The commands between two steps of the manual: lines of sh blocks, lines with a prompt of console blocks.
