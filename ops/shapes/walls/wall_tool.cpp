@@ -7,10 +7,12 @@
 #include <numbers>
 #include <numeric>
 
+#include "mesh/features/known_wall.hpp"
 #include "mesh/features/rims.hpp"
 #include "mesh/place_text.hpp"
 #include "ops/shapes/walls/bonded_border.hpp"
 #include "ops/shapes/walls/near_boundary.hpp"
+#include "ops/shapes/walls/step_geometry.hpp"
 
 namespace tedit::ops {
 
@@ -102,6 +104,8 @@ public:
       return fail(ok.error());
     for (const auto& border : borders_)
       add_side(border);
+    if (has_geometries(mesh_))
+      say_what_steps_are();
     result_.edge = edge_;
     return std::move(result_);
   }
@@ -433,6 +437,37 @@ private:
       add_triangle({b, a, a + count}, face);
       add_triangle({b, a + count, b + count}, face);
     }
+  }
+
+  /// Steps at one surface, beside walls that look one way.
+  struct steps {
+    surface_id beside = 0;
+    vec3 way;
+    std::vector<vec3> rim;
+  };
+
+  void say_what_steps_are() {
+    std::map<std::uint32_t, steps> by_face;
+    std::size_t triangle = 2 * facets_.size();
+    for (const auto& border : borders_) {
+      const auto face = result_.tool.faces[triangle];
+      triangle += 2;
+      if (border.rule.type != side_rule::kind::step)
+        continue;
+      const auto& wall = shape_of(mesh_.facet(facets_[border.inner]).surface);
+      auto& one = by_face[face];
+      one.beside = border.rule.neighbour;
+      // Walls of one step that look several ways: a way that no axis has.
+      const vec3 way = wall && wall->type == wall_shape::kind::plane ? wall->axis : vec3{};
+      one.way = one.rim.empty() || one.way == way ? way : vec3{};
+      for (const auto end : {border.a, border.b})
+        one.rim.push_back(mesh_.position(vertices_[end].v));
+    }
+    result_.tool.geometries.resize(result_.tool.names.size());
+    for (const auto& [face, one] : by_face)
+      if (one.way != vec3{})
+        result_.tool.geometries[face] =
+          step_geometry(find_geometry(mesh_, one.beside), one.rim, one.way);
   }
 
   const mesh_version& mesh_;
