@@ -22,6 +22,7 @@
 #include <gp_Trsf.hxx>
 
 #include "cad/editor/feature.hpp"
+#include "mesh/features/lid_way.hpp"
 
 #ifdef __SANITIZE_ADDRESS__
 /// OpenCASCADE 7.6 gives back with `delete` what IntCurvesFace_ShapeIntersector has from `new[]`.
@@ -33,15 +34,6 @@ extern "C" [[gnu::visibility("default")]] const char* __asan_default_options() {
 namespace tedit::cad {
 
 namespace {
-
-// As the mesh's tools have it (ops/shapes/features/feature_tool.cpp), in local edges.
-constexpr double out_of_part = 0.5;
-constexpr double into_part = 0.2;
-constexpr double on_surface = 1e-3;
-constexpr double within_rim = 0.01;
-constexpr double one_way = 1e-6;
-constexpr double least_turn = 1e-2;
-constexpr double least_out = 0.2;
 
 gp_Trsf transformation(const step_motion& way) {
   const auto& c = way.columns;
@@ -105,56 +97,39 @@ feature_lid lid_of(const TopoDS_Face& cap, const TopoDS_Shape& body, double near
   return result;
 }
 
-/// The direction that all of some planes and cylinders go along; a null vector where there is none,
-/// or another shape among them.
-gp_Vec common_way(const std::vector<BRepAdaptor_Surface>& walls) {
-  gp_Vec way;
-  for (const auto& one : walls) {
-    if (one.GetType() == GeomAbs_Cylinder)
-      way = gp_Vec(one.Cylinder().Axis().Direction());
-    else if (one.GetType() != GeomAbs_Plane)
-      return {};
-    for (const auto& other : walls)
-      if (way.Magnitude() == 0 && other.GetType() == GeomAbs_Plane) {
-        const auto both =
-          gp_Vec(one.Plane().Axis().Direction()).Crossed(gp_Vec(other.Plane().Axis().Direction()));
-        if (both.Magnitude() > least_turn)
-          way = both.Normalized();
-      }
-  }
-  for (const auto& one : walls) {
-    const bool is_flat = one.GetType() == GeomAbs_Plane;
-    const auto axis = is_flat ? one.Plane().Axis() : one.Cylinder().Axis();
-    const double along = std::abs(way.Dot(gp_Vec(axis.Direction())));
-    if (is_flat ? along >= one_way : along <= 1 - one_way)
-      return {};
-  }
-  return way;
+vec3 xyz(const gp_XYZ& p) {
+  return {p.X(), p.Y(), p.Z()};
 }
 
-/// Does the rim go that way for a bit, as where a hole is open at its side?
-bool runs_along(const std::vector<chord>& rim, const gp_Vec& way) {
-  return std::ranges::any_of(rim, [&](const chord& one) {
-    const gp_Vec along(one[0], one[1]);
-    return along.Crossed(way).Magnitude() < least_out * along.Magnitude();
-  });
+/// As far as `way_past_lid` asks.
+surface_geometry wall_of(const TopoDS_Face& face) {
+  const BRepAdaptor_Surface surface(face);
+  surface_geometry wall;
+  if (surface.GetType() == GeomAbs_Plane) {
+    wall.type = surface_geometry::kind::plane;
+    wall.axis = xyz(surface.Plane().Axis().Direction().XYZ());
+  } else if (surface.GetType() == GeomAbs_Cylinder) {
+    wall.type = surface_geometry::kind::cylinder;
+    wall.axis = xyz(surface.Cylinder().Axis().Direction().XYZ());
+  }
+  return wall;
 }
 
-/// As `find_ways` of the mesh's tools has it.
 gp_Vec way_of(const feature_lid& lid, const feature& what) {
-  TopTools_IndexedMapOfShape rim;
-  TopExp::MapShapes(lid.cap, TopAbs_EDGE, rim);
-  std::vector<BRepAdaptor_Surface> walls;
+  TopTools_IndexedMapOfShape edges_of_lid;
+  TopExp::MapShapes(lid.cap, TopAbs_EDGE, edges_of_lid);
+  std::vector<surface_geometry> walls;
   for (const auto& face : what.faces)
     for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next())
-      if (rim.Contains(edges.Current())) {
-        walls.emplace_back(face);
+      if (edges_of_lid.Contains(edges.Current())) {
+        walls.push_back(wall_of(face));
         break;
       }
-  const auto way = common_way(walls);
-  const double out = way.Dot(lid.outward);
-  return std::abs(out) < least_out || runs_along(lid.rim, way) ? lid.outward
-                                                               : way * std::copysign(1.0, out);
+  std::vector<std::array<vec3, 2>> rim;
+  for (const auto& one : lid.rim)
+    rim.push_back({xyz(one[0].XYZ()), xyz(one[1].XYZ())});
+  const vec3 way = way_past_lid(walls, xyz(lid.outward.XYZ()), rim);
+  return {way.x, way.y, way.z};
 }
 
 /// Where a ray first meets the part.
@@ -180,16 +155,18 @@ double layer_on(IntCurvesFace_ShapeIntersector& part, const feature_lid& lid, co
   for (const auto& one : lid.rim)
     middle += one[0].XYZ() / static_cast<double>(lid.rim.size());
   for (const auto& one : lid.rim) {
-    const auto from = gp_Pnt(one[0].XYZ() + within_rim * (middle - one[0].XYZ())).Transformed(way);
-    const auto back = step.is_hole ? 0 : 0.1 * on_surface * step.edge_mm;
+    const auto from =
+      gp_Pnt(one[0].XYZ() + lid_rules::within_rim * (middle - one[0].XYZ())).Transformed(way);
+    const auto back = step.is_hole ? 0 : 0.1 * lid_rules::on_surface * step.edge_mm;
     const auto hit = along(part, from.Translated(normal * -back), normal, 1e-9 * step.size_mm);
     if (hit.distance > 0 && hit.leaves == step.is_hole &&
         (step.is_hole || hit.distance < 0.5 * step.size_mm))
       most = std::max(most, hit.distance);
   }
   if (step.is_hole)
-    return most + out_of_part * step.edge_mm;
-  return most > on_surface * step.edge_mm ? most + into_part * step.edge_mm : 0;
+    return most + lid_rules::out_of_part * step.edge_mm;
+  return most > lid_rules::on_surface * step.edge_mm ? most + lid_rules::into_part * step.edge_mm
+                                                     : 0;
 }
 
 /// The copies on what is left of the part.

@@ -8,6 +8,7 @@
 
 #include "mesh/features/hole.hpp"
 #include "mesh/features/known_wall.hpp"
+#include "mesh/features/lid_way.hpp"
 #include "mesh/features/select.hpp"
 #include "ops/shapes/caps/caps.hpp"
 #include "ops/tools/local_size.hpp"
@@ -15,19 +16,6 @@
 namespace tedit::ops {
 
 namespace {
-
-/// How far a hole's shape reaches out of the part and a boss's into it, in local edges.
-constexpr double out_of_part = 0.5;
-constexpr double into_part = 0.2;
-/// What is nearer than this share of the local edge lies on the part's surface.
-constexpr double on_surface = 1e-3;
-/// Rays begin this share of the way from the rim to its middle: those from the rim itself run along
-/// the walls of a hole that the copy is in line with.
-constexpr double within_rim = 0.01;
-/// Sines and cosines: walls that go one way, planes that cross, and a way that leads out of a lid.
-constexpr double one_way = 1e-6;
-constexpr double least_turn = 1e-2;
-constexpr double least_out = 0.2;
 
 /// The hole, else the boss, that one surface belongs to.
 expected<found_feature> feature_of(const mesh_version& mesh, surface_id pick,
@@ -106,37 +94,6 @@ std::map<std::array<std::uint32_t, 2>, std::uint32_t> wall_edges(const tool_surf
   return result;
 }
 
-/// The direction that all of some planes and cylinders go along; nothing where there is none, or
-/// another shape among them.
-std::optional<vec3> common_way(const std::vector<surface_geometry>& walls) {
-  using kind = surface_geometry::kind;
-  std::optional<vec3> way;
-  for (const auto& one : walls) {
-    if (one.type == kind::cylinder)
-      way = one.axis;
-    else if (one.type != kind::plane)
-      return std::nullopt;
-    for (const auto& other : walls)
-      if (const vec3 both = cross(one.axis, other.axis);
-          !way && other.type == kind::plane && norm(both) > least_turn)
-        way = normalized(both);
-  }
-  const bool is_common = way && std::ranges::all_of(walls, [&](const surface_geometry& one) {
-                           const double along = std::abs(dot(one.axis, *way));
-                           return one.type == kind::plane ? along < one_way : along > 1 - one_way;
-                         });
-  return is_common ? way : std::nullopt;
-}
-
-/// Does the rim go that way for a bit, as where a hole is open at its side? The walls cannot go on
-/// from there.
-bool runs_along(const tool_surface& tool, const lid& one, vec3 way) {
-  return std::ranges::any_of(one.rim, [&](const std::array<std::uint32_t, 2>& edge) {
-    const vec3 along = tool.points[edge[1]] - tool.points[edge[0]];
-    return norm(cross(along, way)) < least_out * norm(along);
-  });
-}
-
 /// `shapes`: what the faces stand for.
 void find_ways(feature_tool& feature, const std::vector<surface_geometry>& shapes) {
   const auto walls = wall_edges(feature.tool);
@@ -147,11 +104,10 @@ void find_ways(feature_tool& feature, const std::vector<surface_geometry>& shape
     std::vector<surface_geometry> around;
     for (const auto face : faces)
       around.push_back(shapes[face]);
-    const auto way = common_way(around);
-    const double out = way ? dot(*way, lid.normal) : 0;
-    lid.way = std::abs(out) < least_out || runs_along(feature.tool, lid, *way)
-                ? lid.normal
-                : std::copysign(1.0, out) * *way;
+    std::vector<std::array<vec3, 2>> rim;
+    for (const auto& edge : lid.rim)
+      rim.push_back({feature.tool.points[edge[0]], feature.tool.points[edge[1]]});
+    lid.way = way_past_lid(around, lid.normal, rim);
   }
 }
 
@@ -209,7 +165,7 @@ double way_in(const mesh_version& mesh, const std::vector<vec3>& points, vec3 in
               double size) {
   double most = 0;
   for (const auto& p : points) {
-    const auto hits = ray_hits(mesh, p - 0.1 * on_surface * size * in, in);
+    const auto hits = ray_hits(mesh, p - 0.1 * lid_rules::on_surface * size * in, in);
     if (!hits.empty() && !hits.front().leaves && hits.front().distance < reach)
       most = std::max(most, hits.front().distance);
   }
@@ -227,11 +183,11 @@ double layer_on(const mesh_version& mesh, const feature_tool& feature, const too
     middle += rim.back() / static_cast<double>(one.rim.size());
   }
   for (auto& p : rim)
-    p += within_rim * (middle - p);
+    p += lid_rules::within_rim * (middle - p);
   if (feature.mode == boolean_mode::cut)
-    return way_out(mesh, rim, way) + out_of_part * size;
+    return way_out(mesh, rim, way) + lid_rules::out_of_part * size;
   const double gap = way_in(mesh, rim, way, norm(extent.high - extent.low), size);
-  return gap > on_surface * size ? gap + into_part * size : 0;
+  return gap > lid_rules::on_surface * size ? gap + lid_rules::into_part * size : 0;
 }
 
 /// Lifts the lid by `step`; the walls go on up to it.
