@@ -51,6 +51,10 @@ struct cad_content {
 /// Makes solids of loose faces that close a volume, where there is no solid.
 void sew_loose_faces(cad_content& content, const teller& tells);
 
+/// Takes edges out that are shorter than a millionth of their solid, where its faces stay as they
+/// are otherwise; a notice says so. Cost: O(edges).
+void close_up_edges(cad_content& content, const teller& tells);
+
 /// The solids with common faces where they touch, and the facts of both in the order in which a
 /// mesher numbers them.
 struct joined_part {

@@ -59,6 +59,7 @@ void explain(const wanted& what, const teller& tells) {
 void convert(const wanted& what, const teller& tells) {
   auto content = read(what, tells);
   sew_loose_faces(content, tells);
+  close_up_edges(content, tells);
   const auto part = join_solids(content, tells);
   tells.stage(0.9, "writing the shape");
   const auto shape = (what.call.folder / shape_file).string();
