@@ -25,7 +25,8 @@ struct fineness {
 inline constexpr double least_share = 0.25;
 
 /// Gmsh's meshes depend on where things lie in memory: the same place each time gives the same
-/// mesh. Starts the program anew where that needs it; call it first.
+/// mesh. Starts the program anew, in its folder (the first argument, which is "." then), and
+/// without variables and a name that differ from shell to shell; call it first.
 void lie_still(char** argv);
 
 /// Begins the library, with what it prints going to stdout and one thread: the same mesh each time.

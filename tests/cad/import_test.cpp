@@ -4,6 +4,7 @@
 #include <set>
 
 #include "tests/cad/import_program.hpp"
+#include "tests/support/scratch.hpp"
 
 namespace tedit::test {
 namespace {
@@ -50,6 +51,39 @@ TEST(ImportedBox, IsTheSameMeshEachTime) {
   const auto second = import_part(cad_parts + "box.step");
 
   EXPECT_EQ(first["version_id"], second["version_id"]);
+}
+
+TEST(ImportedAssembly, IsTheSameMeshWhereverTheMesherLies) {
+  TEDIT_NEEDS_CAD();
+  const scratch_folder elsewhere;
+  const auto folder = elsewhere.path() / "a folder with a name that is longer than others";
+  std::filesystem::create_directories(folder);
+  for (const auto* program : {"tedit-cad-reader", "tedit-cad-mesher", "tedit-mesher"})
+    std::filesystem::copy_file(std::filesystem::path(TEDIT_BIN) / program, folder / program);
+
+  const auto part = cad_parts + "as1_assembly.stp --size coarse";
+  const auto here = import_part(part);
+  setenv("TEDIT_LIBEXEC", folder.c_str(), 1);
+  setenv("TMPDIR", folder.c_str(), 1);
+  const auto there = import_part(part);
+  unsetenv("TEDIT_LIBEXEC");
+  unsetenv("TMPDIR");
+
+  EXPECT_EQ(here["version_id"], there["version_id"]);
+}
+
+/// A box of six named sides; one edge is divided a hundred-thousandth of a millimetre from its end.
+TEST(ImportedBox, EdgesOfNoLengthAreClosedUp) {
+  TEDIT_NEEDS_CAD();
+  const auto part = import_part(cad_parts + "short_edge.step --size coarse");
+
+  ASSERT_EQ(part["surfaces"].size(), 6U);
+  for (std::size_t i = 0; i < 6; ++i)
+    EXPECT_EQ(part["surfaces"][i]["name"], "side " + std::to_string(i + 1));
+  EXPECT_NEAR(part["cad_volume_m3"].get<double>(), 6e-6, 1e-14);
+  EXPECT_THAT(part["warnings"].dump(),
+              ::testing::HasSubstr("edges shorter than 3.7e-05 mm were closed up, 1 in all, the "
+                                   "first at 0, 1e-05, 0 mm"));
 }
 
 TEST(ImportedBox, SaysHowLongEachStageTook) {
