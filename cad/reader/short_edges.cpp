@@ -17,6 +17,7 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
+#include <TopoDS_Vertex.hxx>
 
 #include "cad/reader/content.hpp"
 
@@ -29,10 +30,18 @@ constexpr double no_length = 1e-6;
 
 /// Not one at a point of a surface, as the tip of a cone is.
 bool is_shorter(const TopoDS_Edge& edge, double length) {
-  if (BRep_Tool::Degenerated(edge))
+  TopoDS_Vertex first;
+  TopoDS_Vertex last;
+  TopExp::Vertices(edge, first, last);
+  if (BRep_Tool::Degenerated(edge) || first.IsNull() || last.IsNull() ||
+      BRep_Tool::Pnt(first).Distance(BRep_Tool::Pnt(last)) >= length)
     return false;
-  const BRepAdaptor_Curve curve(edge);
-  return GCPnts_AbscissaPoint::Length(curve) < length;
+  try {
+    const BRepAdaptor_Curve curve(edge);
+    return GCPnts_AbscissaPoint::Length(curve) < length;
+  } catch (const Standard_Failure&) {
+    return false;  // It has no curve.
+  }
 }
 
 std::vector<TopoDS_Edge> shorter_edges(const TopoDS_Shape& solid, double length) {
