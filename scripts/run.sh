@@ -39,7 +39,8 @@ while [ $# -gt 0 ]; do
 done
 
 [ "$install" = yes ] && scripts/install_deps.sh --no-web
-# Ninja has nothing to do for what is built: a second run comes to the job within a second.
+first=no
+[ -x build/release/bin/tedit ] || first=yes
 scripts/build.sh release tedit-main-job
 
 # A server of its own, on a free port, whose documents and token go with it.
@@ -67,7 +68,7 @@ build/release/bin/tedit run examples/ctc01_plate/recipe.json --out "$out" --devi
 
 stop
 trap - EXIT
-if ! ninja -n -C build/release tedit-programs | grep -q "no work to do"; then
+if [ "$first" = yes ]; then
   echo
   echo "That was the main job. Now the rest is built (the other operations, CAD files, scans); Ctrl-C leaves it for later."
 fi
