@@ -93,7 +93,7 @@ std::string from_to(double before, double after, double scale, const std::string
          per_cent(before, after);
 }
 
-std::string place(const vec3& at) {
+std::string coordinates(const vec3& at) {
   return pretty(1e3 * at.x) + ", " + pretty(1e3 * at.y) + ", " + pretty(1e3 * at.z) + " mm";
 }
 
@@ -130,7 +130,7 @@ std::string field_text(const field_comparison& one) {
   const auto change = [](const value_change& here) {
     return (here.change() > 0 ? "+" : "") + pretty(1e-6 * here.change()) + " MPa (" +
            pretty(1e-6 * here.before) + " -> " + pretty(1e-6 * here.after) + ") at " +
-           place(here.at_m);
+           coordinates(here.at_m);
   };
   auto text =
     "stress" + (one.load_case.empty() ? "" : ", " + one.load_case) + "\n" +
@@ -184,7 +184,7 @@ std::string describe_comparison(const version_comparison& all) {
                       std::to_string(all.vertices_in_common) + " in common") +
     row("boundary", all.deviation.distance_m > 0
                       ? "apart by up to " + pretty(1e3 * all.deviation.distance_m) + " mm, at " +
-                          place(all.deviation.at_m)
+                          coordinates(all.deviation.at_m)
                       : "the same");
   for (const auto& one : all.load_cases)
     text += case_text(one);
