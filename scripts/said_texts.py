@@ -27,7 +27,7 @@ LEFT_OUT = re.compile(r"""
 """, re.X)
 
 # Where pieces of sentences are put together by helpers: all words count, not only those behind a code.
-PIECES = re.compile(r"(base|mesh|fem|ops)/|cad/(steps|editing|editor/|reader/(brep|iges|step)_)|actors/cad/|client/(server_url|socket|streams|inbox|messages)|actors/(supervisor/(pool|placement)|session/|store/document_lock|solver/|errors)")
+PIECES = re.compile(r"(base|mesh|fem|ops)/|cad/(steps|editing|editor/|reader/((brep|iges|step)_|main|short_edges|solids))|actors/cad/|client/(server_url|socket|streams|inbox|messages)|actors/(supervisor/(pool|placement)|session/|store/document_lock|solver/|errors)")
 
 TOKEN = re.compile(r"""
     (?P<comment>//[^\n]*|/\*.*?\*/)
@@ -231,7 +231,7 @@ def is_piece(text):
     if re.fullmatch(r'[a-z]+ "%1": %2|%1 is %2', text):
         return True
     return (text.count('"') % 2 == 0 and text.count("(") == text.count(")") and re.search(r"[a-z]{2,}(?:'s)?[,:]? +(?:[a-z(]|%1)|%1 [a-z]{3,}", text) is not None and text == text.strip()
-            and not text.endswith(":") and not text[0] in ";:,)" and not re.search(r"\{\}|[A-Z]{5,}|\n", text))
+            and not text.endswith(":") and not text[0] in ";:,)" and not re.search(r"\{\}|[A-Z]{5,}|\n", text.replace("OpenCASCADE", "")))
 
 
 def templates_of(path):

@@ -45,6 +45,10 @@ TopoDS_Shape outward(const TopoDS_Shape& solid) {
   return volume_of(solid) < 0 ? solid.Reversed() : solid;
 }
 
+std::string in_words(const std::string& name) {
+  return name.empty() ? "without a name" : name;
+}
+
 /// Two parts of a name are told apart by a number.
 void tell_apart(std::vector<placed_solid>& solids) {
   std::map<std::string, int> uses;
@@ -231,7 +235,7 @@ joined_part join_solids(const cad_content& content, const teller& tells) {
   for (auto& one : solids) {
     one.shape = outward(one.shape);
     if (!BRepCheck_Analyzer(one.shape).IsValid())
-      notices.push_back("solid " + (one.name.empty() ? "without a name" : one.name) +
+      notices.push_back("solid " + in_words(one.name) +
                         " is not valid by OpenCASCADE's checks: look at its mesh");
   }
   tell_apart(solids);

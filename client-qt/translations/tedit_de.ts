@@ -10705,6 +10705,62 @@
         <source>the geometry of a face is of no known kind, or not finite</source>
         <translation>die Form einer Seite ist von keiner bekannten Art oder nicht endlich</translation>
     </message>
+    <message>
+        <source>annotations (tolerances, datums, notes) were left out, %1 in all: the file could not be read with them</source>
+        <translation>Anmerkungen (Toleranzen, Bezüge, Hinweise) wurden weggelassen, zusammen %1: mit ihnen war die Datei nicht zu lesen</translation>
+    </message>
+    <message>
+        <source>edges shorter than %1 mm were closed up, %2 in all, the first at %3, %4, %5 mm</source>
+        <translation>Kanten, die kürzer als %1 mm sind, wurden geschlossen, zusammen %2, die erste bei %3, %4, %5 mm</translation>
+    </message>
+    <message>
+        <source>faces that belong to no solid were left out</source>
+        <translation>Flächen, die zu keinem Körper gehören, wurden weggelassen</translation>
+    </message>
+    <message>
+        <source>joining %1 solids where they touch</source>
+        <translation>%1 Körper werden verbunden, wo sie sich berühren</translation>
+    </message>
+    <message>
+        <source>leaving out annotations</source>
+        <translation>Anmerkungen werden weggelassen</translation>
+    </message>
+    <message>
+        <source>looking for edges of no length</source>
+        <translation>Kanten ohne Länge werden gesucht</translation>
+    </message>
+    <message>
+        <source>sewing faces to solids</source>
+        <translation>Flächen werden zu Körpern vernäht</translation>
+    </message>
+    <message>
+        <source>solids overlap (%1): what two have in common is a region of its own with the first&apos;s name</source>
+        <translation>Körper überschneiden sich (%1): was zwei gemeinsam haben, ist ein eigener Bereich mit dem Namen des ersten</translation>
+    </message>
+    <message>
+        <source>the file has surfaces and no solid: those that close a volume, with gaps up to 0.001 mm, were made solids</source>
+        <translation>die Datei hat Flächen und keinen Körper: die ein Volumen schließen, mit Lücken bis 0,001 mm, wurden zu Körpern gemacht</translation>
+    </message>
+    <message>
+        <source>without a name</source>
+        <translation>ohne Namen</translation>
+    </message>
+    <message>
+        <source>writing the shape</source>
+        <translation>die Form wird geschrieben</translation>
+    </message>
+    <message>
+        <source>OpenCASCADE gives up: %1</source>
+        <translation>OpenCASCADE gibt auf: %1</translation>
+    </message>
+    <message>
+        <source>it is not valid by OpenCASCADE&apos;s checks</source>
+        <translation>es ist nach den Prüfungen von OpenCASCADE nicht gültig</translation>
+    </message>
+    <message>
+        <source>solid %1 is not valid by OpenCASCADE&apos;s checks: look at its mesh</source>
+        <translation>Körper %1 ist nach den Prüfungen von OpenCASCADE nicht gültig: das Netz ansehen</translation>
+    </message>
 </context>
 <context>
     <name>server_lists</name>

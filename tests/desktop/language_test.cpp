@@ -107,6 +107,13 @@ TEST_F(Language, NoticesAndRemediesOfTheServerAreInTheWindowsLanguage) {
   EXPECT_EQ(shown_words("Take 0.25 mm: the most that works here"),
             "0,25 mm nehmen: das Größte, was hier geht");
   EXPECT_EQ(shown_words("Try again. Connect again."), "Noch einmal versuchen. Neu verbinden.");
+  EXPECT_EQ(shown_words("edges shorter than 3.7e-05 mm were closed up, 1 in all, the first at 0, "
+                        "1e-05, 0 mm"),
+            "Kanten, die kürzer als 3,7e-05 mm sind, wurden geschlossen, zusammen 1, die erste bei "
+            "0, 1e-05, 0 mm");
+  EXPECT_EQ(
+    shown_words("solid without a name is not valid by OpenCASCADE's checks: look at its mesh"),
+    "Körper ohne Namen ist nach den Prüfungen von OpenCASCADE nicht gültig: das Netz ansehen");
 }
 
 TEST_F(Language, WhyAnEditIsInTheMeshOnlyIsInTheWindowsLanguage) {
