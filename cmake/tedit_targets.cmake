@@ -72,11 +72,10 @@ endif()
 set_property(GLOBAL APPEND PROPERTY JOB_POOLS tedit_compilers=${compilers})
 set(CMAKE_JOB_POOL_COMPILE tedit_compilers)
 
-# For a room that calls others for what takes time: all of it is compiled with -O1 where its code runs once for a message or
-# a click, and with -Og where it runs once for a command; that takes a third and half of the time less (docs/decisions/log/0026.md).
-# After this no target of mesh, fem or ops.
-macro(tedit_compile_quickly level)
-  add_compile_options("$<$<CONFIG:Release>:${level}>")
+# For a room whose code runs once for a message, a click or a command, and calls others for what takes time: all of it is
+# compiled with -O1, which takes a third less time (docs/decisions/log/0026.md). After this no target of mesh, fem or ops.
+macro(tedit_compile_quickly)
+  add_compile_options("$<$<CONFIG:Release>:-O1>")
 endmacro()
 
 # For a source with std::regex, of which GCC 12 warns when AddressSanitizer is in (GCC bug 105616).
