@@ -8,7 +8,6 @@
 
 #include "cli/command.hpp"
 #include "mesh/features/known_wall.hpp"
-#include "mesh/region_totals.hpp"
 
 namespace tedit::cli {
 
@@ -81,10 +80,14 @@ void add_regions(const mesh_version& mesh, mesh_report& report) {
   std::map<region_id, mesh_report::region_row> rows;
   for (const auto& row : mesh.regions())
     rows[row.id] = {row.id, row.name, 0, 0};
-  for (const auto& [id, total] : region_totals(mesh)) {
-    rows[id].tets = total.tets;
-    rows[id].volume_m3 = total.volume;
-    report.volume_m3 += total.volume;
+  for (tet_id t = 0; t < mesh.tet_slots(); ++t) {
+    if (!mesh.is_live_tet(t))
+      continue;
+    const double volume = signed_volume(mesh.corners(t));
+    auto& row = rows[mesh.region_of(t)];
+    ++row.tets;
+    row.volume_m3 += volume;
+    report.volume_m3 += volume;
   }
   for (auto& [id, row] : rows)
     report.regions.push_back(std::move(row));
