@@ -51,11 +51,14 @@ mesh_report clean(surface_mesh& surface, double size_mm, double wall_mm) {
   return report;
 }
 
+/// What the program is called when its addresses lie still; 15 letters at most.
+constexpr const char* still_name = "tedit-gmsh";
+
 /// In memory: libraries of Gmsh's look for the path that their program was started by. Below zero
 /// where the system has no such files.
 int copy_of_this_program() {
   const int from = open("/proc/self/exe", O_RDONLY | O_CLOEXEC);
-  const int to = memfd_create("tedit-mesher", MFD_CLOEXEC);
+  const int to = memfd_create(still_name, MFD_CLOEXEC);
   struct stat about {};
   bool done = from >= 0 && to >= 0 && fstat(from, &about) == 0;
   for (off_t left = done ? about.st_size : 0; done && left > 0;) {
@@ -65,6 +68,8 @@ int copy_of_this_program() {
   }
   if (from >= 0)
     close(from);
+  if (!done && to >= 0)
+    close(to);
   return done ? to : -1;
 }
 
@@ -84,7 +89,7 @@ void lie_still(char** argv) {
   constexpr unsigned long ask = 0xFFFFFFFF;
   constexpr const char* mark = "TEDIT_LIES_STILL";
   if (std::getenv(mark)) {
-    prctl(PR_SET_NAME, "tedit-mesher");
+    prctl(PR_SET_NAME, still_name);
     return;
   }
   const int now = personality(ask);
@@ -98,8 +103,8 @@ void lie_still(char** argv) {
     if (is_needed(*one))
       variables.push_back(*one);
   variables.push_back(nullptr);
-  std::string name = "tedit-cad-mesher";
-  std::string here = ".";
+  static std::string name = still_name;
+  static std::string here = ".";
   argv[0] = name.data();
   argv[1] = here.data();
   if (const int copy = copy_of_this_program(); copy >= 0)

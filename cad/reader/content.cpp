@@ -250,6 +250,16 @@ const std::vector<int>* cad_content::ids_of(const TopoDS_Shape& shape) const {
   return ids.Seek(without_place(shape));
 }
 
+void cad_content::carry_over(const TopoDS_Shape& face, const TopoDS_Shape& image) {
+  const auto to = without_place(image);
+  if (const auto* name = name_of(face))
+    names.Bind(to, std::string(*name));
+  if (const auto* painted = colour_of(face))
+    colours.Bind(to, colour(*painted));
+  if (const auto* own = ids_of(face))
+    ids.Bind(to, std::vector<int>(*own));
+}
+
 cad_content read_step(const std::string& file, const teller& tells) {
   cad_content content;
   tells.stage(0.05, "reading the STEP file");

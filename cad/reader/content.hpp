@@ -41,6 +41,9 @@ struct cad_content {
   [[nodiscard]] const std::string* name_of(const TopoDS_Shape& shape) const;
   [[nodiscard]] const colour* colour_of(const TopoDS_Shape& shape) const;
   [[nodiscard]] const std::vector<int>* ids_of(const TopoDS_Shape& shape) const;
+
+  /// What is known of a face is known of what became of it, too.
+  void carry_over(const TopoDS_Shape& face, const TopoDS_Shape& image);
 };
 
 /// Reads a STEP, IGES or BREP file. Refuses one that it cannot.

@@ -60,17 +60,6 @@ Standard_Integer count_faces(const TopoDS_Shape& shape) {
   return faces.Extent();
 }
 
-/// What is known of a face is known of what became of it.
-void carry_over(cad_content& content, const TopoDS_Shape& from, const TopoDS_Shape& to) {
-  const auto image = to.Located(TopLoc_Location());
-  if (const auto* name = content.name_of(from))
-    content.names.Bind(image, std::string(*name));
-  if (const auto* painted = content.colour_of(from))
-    content.colours.Bind(image, colour(*painted));
-  if (const auto* ids = content.ids_of(from))
-    content.ids.Bind(image, std::vector<int>(*ids));
-}
-
 std::string notice_of(const std::vector<TopoDS_Edge>& edges, double length) {
   const auto at = BRep_Tool::Pnt(TopExp::FirstVertex(edges.front()));
   char text[160];
@@ -96,7 +85,7 @@ TopoDS_Shape without_edges(const TopoDS_Shape& solid, double length, cad_content
       return {};
     for (TopExp_Explorer faces(solid, TopAbs_FACE); faces.More(); faces.Next())
       if (const auto image = fix.Context()->Apply(faces.Current()); !image.IsSame(faces.Current()))
-        carry_over(content, faces.Current(), image);
+        content.carry_over(faces.Current(), image);
     return mended;
   } catch (const Standard_Failure&) {
     return {};

@@ -201,13 +201,8 @@ void sew_loose_faces(cad_content& content, const teller& tells) {
     sewing.Add(one);
   sewing.Perform();
   for (const auto& one : content.loose)
-    for (TopExp_Explorer faces(one, TopAbs_FACE); faces.More(); faces.Next()) {
-      const auto image = sewing.ModifiedSubShape(faces.Current()).Located(TopLoc_Location());
-      if (const auto* name = content.name_of(faces.Current()))
-        content.names.Bind(image, std::string(*name));
-      if (const auto* painted = content.colour_of(faces.Current()))
-        content.colours.Bind(image, colour(*painted));
-    }
+    for (TopExp_Explorer faces(one, TopAbs_FACE); faces.More(); faces.Next())
+      content.carry_over(faces.Current(), sewing.ModifiedSubShape(faces.Current()));
   for (TopExp_Explorer shells(sewing.SewedShape(), TopAbs_SHELL); shells.More(); shells.Next()) {
     if (!BRep_Tool::IsClosed(shells.Current()))
       continue;

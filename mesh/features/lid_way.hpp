@@ -10,7 +10,7 @@
 
 namespace tedit {
 
-/// In local edges of the mesh.
+/// Lengths, but for `within_rim`, are in local edges of the mesh.
 struct lid_rules {
   /// How far a hole's shape reaches out of the part and a boss's into it.
   static constexpr double out_of_part = 0.5;

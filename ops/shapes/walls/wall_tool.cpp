@@ -428,6 +428,8 @@ private:
                                  : rule.type == side_rule::kind::past ? "beyond surface " + beside
                                                                       : "step beside " + beside,
                                  goes_on ? std::optional(rule.neighbour) : std::nullopt);
+    if (rule.type == side_rule::kind::step)
+      note_step(face, border);
     const auto [a, b] = std::pair(border.a, border.b);
     const auto& p = result_.tool.points;
     if (norm(p[a] - p[b + count]) < norm(p[b] - p[a + count])) {
@@ -446,25 +448,20 @@ private:
     std::vector<vec3> rim;
   };
 
+  void note_step(std::uint32_t face, const border_edge& border) {
+    const auto& wall = shape_of(mesh_.facet(facets_[border.inner]).surface);
+    // Beside walls of a step that look several ways: one that no axis has.
+    const vec3 way = wall && wall->type == wall_shape::kind::plane ? wall->axis : vec3{};
+    const auto [row, fresh] = steps_.try_emplace(face, steps{border.rule.neighbour, way, {}});
+    if (!fresh && row->second.way != way)
+      row->second.way = {};
+    for (const auto end : {border.a, border.b})
+      row->second.rim.push_back(mesh_.position(vertices_[end].v));
+  }
+
   void say_what_steps_are() {
-    std::map<std::uint32_t, steps> by_face;
-    std::size_t triangle = 2 * facets_.size();
-    for (const auto& border : borders_) {
-      const auto face = result_.tool.faces[triangle];
-      triangle += 2;
-      if (border.rule.type != side_rule::kind::step)
-        continue;
-      const auto& wall = shape_of(mesh_.facet(facets_[border.inner]).surface);
-      auto& one = by_face[face];
-      one.beside = border.rule.neighbour;
-      // Walls of one step that look several ways: a way that no axis has.
-      const vec3 way = wall && wall->type == wall_shape::kind::plane ? wall->axis : vec3{};
-      one.way = one.rim.empty() || one.way == way ? way : vec3{};
-      for (const auto end : {border.a, border.b})
-        one.rim.push_back(mesh_.position(vertices_[end].v));
-    }
     result_.tool.geometries.resize(result_.tool.names.size());
-    for (const auto& [face, one] : by_face)
+    for (const auto& [face, one] : steps_)
       if (one.way != vec3{})
         result_.tool.geometries[face] =
           step_geometry(find_geometry(mesh_, one.beside), one.rim, one.way);
@@ -485,6 +482,7 @@ private:
   std::vector<border_edge> borders_;
   std::map<surface_id, std::optional<wall_shape>> shapes_;
   std::map<std::string, std::uint32_t> faces_;
+  std::map<std::uint32_t, steps> steps_;  ///< By face.
   wall_tool result_;
 };
 

@@ -23,7 +23,8 @@ struct wall_tool {
 /// taken off, a neighbour that goes down is cut to where the part ends; where it is put on, a
 /// neighbour that rises is run into, and one that goes down at about a right angle goes up with the
 /// wall. Where material is taken off a wall that ends at another region, the side reaches into that
-/// one, of which the boolean takes nothing (`services::boolean_onto`). Errors: `invalid_argument`
+/// one, of which the boolean takes nothing (`services::boolean_onto`). In a part of a CAD file a
+/// step above a round rim says that it is a cylinder (`step_geometry`). Errors: `invalid_argument`
 /// where the distance is less than a two-hundredth of the edges there, and where a wall bends too
 /// sharply for it. Cost: O(facet slots + border edges x facets near).
 [[nodiscard]] expected<wall_tool> make_wall_tool(const mesh_version& mesh, const wall_set& walls,
