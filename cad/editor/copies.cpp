@@ -22,7 +22,6 @@
 #include <gp_Trsf.hxx>
 
 #include "cad/editor/feature.hpp"
-#include "cad/reader/face_geometry.hpp"
 #include "mesh/features/lid_way.hpp"
 
 #ifdef __SANITIZE_ADDRESS__
@@ -102,6 +101,20 @@ vec3 xyz(const gp_XYZ& p) {
   return {p.X(), p.Y(), p.Z()};
 }
 
+/// As far as `way_past_lid` asks.
+surface_geometry wall_of(const TopoDS_Face& face) {
+  const BRepAdaptor_Surface surface(face);
+  surface_geometry wall;
+  if (surface.GetType() == GeomAbs_Plane) {
+    wall.type = surface_geometry::kind::plane;
+    wall.axis = xyz(surface.Plane().Axis().Direction().XYZ());
+  } else if (surface.GetType() == GeomAbs_Cylinder) {
+    wall.type = surface_geometry::kind::cylinder;
+    wall.axis = xyz(surface.Cylinder().Axis().Direction().XYZ());
+  }
+  return wall;
+}
+
 gp_Vec way_of(const feature_lid& lid, const feature& what) {
   TopTools_IndexedMapOfShape edges_of_lid;
   TopExp::MapShapes(lid.cap, TopAbs_EDGE, edges_of_lid);
@@ -109,7 +122,7 @@ gp_Vec way_of(const feature_lid& lid, const feature& what) {
   for (const auto& face : what.faces)
     for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next())
       if (edges_of_lid.Contains(edges.Current())) {
-        walls.push_back(geometry_of(face));
+        walls.push_back(wall_of(face));
         break;
       }
   std::vector<std::array<vec3, 2>> rim;
