@@ -32,6 +32,42 @@ double point_to_triangle(vec3 p, vec3 a, vec3 b, vec3 c) {
     {segments_apart(p, p, a, b), segments_apart(p, p, b, c), segments_apart(p, p, c, a)});
 }
 
+std::array<double, 3> nearest_on_triangle(vec3 p, vec3 a, vec3 b, vec3 c) {
+  const vec3 ab = b - a;
+  const vec3 ac = c - a;
+  const double b_of_a = dot(ab, p - a);
+  const double c_of_a = dot(ac, p - a);
+  const double b_of_b = dot(ab, p - b);
+  const double c_of_b = dot(ac, p - b);
+  const double b_of_c = dot(ab, p - c);
+  const double c_of_c = dot(ac, p - c);
+  if (b_of_a <= 0 && c_of_a <= 0)
+    return {1, 0, 0};
+  if (b_of_b >= 0 && c_of_b <= b_of_b)
+    return {0, 1, 0};
+  if (c_of_c >= 0 && b_of_c <= c_of_c)
+    return {0, 0, 1};
+  const double at_c = b_of_a * c_of_b - b_of_b * c_of_a;
+  if (at_c <= 0 && b_of_a >= 0 && b_of_b <= 0) {
+    const double t = b_of_a / (b_of_a - b_of_b);
+    return {1 - t, t, 0};
+  }
+  const double at_b = b_of_c * c_of_a - b_of_a * c_of_c;
+  if (at_b <= 0 && c_of_a >= 0 && c_of_c <= 0) {
+    const double t = c_of_a / (c_of_a - c_of_c);
+    return {1 - t, 0, t};
+  }
+  const double at_a = b_of_b * c_of_c - b_of_c * c_of_b;
+  const double to_c = c_of_b - b_of_b;
+  const double to_b = b_of_c - c_of_c;
+  if (at_a <= 0 && to_c >= 0 && to_b >= 0) {
+    const double t = to_c / (to_c + to_b);
+    return {0, 1 - t, t};
+  }
+  const double sum = at_a + at_b + at_c;
+  return {at_a / sum, at_b / sum, at_c / sum};
+}
+
 std::optional<triangle_hit> ray_through(const std::array<vec3, 3>& triangle, vec3 origin,
                                         vec3 direction) {
   const vec3 one = triangle[1] - triangle[0];

@@ -14,6 +14,10 @@ namespace tedit {
 /// The distance of a point from a triangle, m; that may be flat or a point. Cost: O(1).
 [[nodiscard]] double point_to_triangle(vec3 p, vec3 a, vec3 b, vec3 c);
 
+/// The point of a triangle, which has an area, that is nearest to p: as shares of its corners.
+/// Source: Ericson 2005, Real-time collision detection, 5.1.5. Cost: O(1).
+[[nodiscard]] std::array<double, 3> nearest_on_triangle(vec3 p, vec3 a, vec3 b, vec3 c);
+
 /// Where a ray passes through a triangle.
 struct triangle_hit {
   double distance = 0;  ///< m, along the unit direction; never behind the origin.

@@ -182,7 +182,7 @@ spline_projection::spline_projection(const spline_surface& surface) : surface_(s
     }
 }
 
-spline_projection::foot spline_projection::operator()(vec3 p) const {
+surface_foot spline_projection::operator()(vec3 p) const {
   const auto nearest = std::ranges::min_element(grid_, {}, [&](const sample& s) {
     const vec3 d = s.at - p;
     return dot(d, d);

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "mesh/vec3.hpp"
+#include "mesh/surface_foot.hpp"
 
 namespace tedit {
 
@@ -41,20 +41,17 @@ struct spline_surface {
 
 /// Finds the point of a spline's surface that is nearest to others: from the nearest of a grid of
 /// its points, by Gauss and Newton's method on the two parameters.
-class spline_projection {
+class spline_projection final : public surface_projection {
 public:
   /// Cost: O(poles) points.
   explicit spline_projection(const spline_surface& surface);
 
-  struct foot {
-    vec3 at;
-    vec3 normal;  ///< Unit, by the right hand of the two parameters.
-  };
-  /// The same for the same point, to rounding. Cost: some microseconds.
-  [[nodiscard]] foot operator()(vec3 p) const;
+  /// Its normal is by the right hand of the two parameters. The same for the same point, to
+  /// rounding. Cost: some microseconds.
+  [[nodiscard]] surface_foot operator()(vec3 p) const override;
 
   /// m: the least radius of curvature that the grid shows, at most the surface's extent.
-  [[nodiscard]] double least_radius() const { return least_radius_; }
+  [[nodiscard]] double least_radius() const override { return least_radius_; }
 
 private:
   struct sample {

@@ -125,7 +125,7 @@ expected<split_report> split_edges(const mesh_version& base, adapt_mesh& mesh,
 
 expected<split_report> split_chords(const mesh_version& base, adapt_mesh& mesh,
                                     const chord_settings& settings, const execution& run) {
-  wall_places walls(base, settings.is_round);
+  wall_places walls(base, settings.is_round, settings.near);
   const auto is_off = [&](const edge_splitter& splitter, const splitter_edge& e) {
     return settings.near.meets(box_of(std::array{mesh.at(e.a), mesh.at(e.b)})) &&
            std::ranges::any_of(splitter.walls_at(e), [&](surface_id wall) {

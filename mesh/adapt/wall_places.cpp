@@ -21,10 +21,23 @@ constexpr double on_wall_share = 1e-4;
 const std::optional<exact_wall>& wall_places::wall_of(surface_id id) {
   const auto [row, fresh] = walls_.try_emplace(id);
   if (fresh)
-    row->second = find_exact(mesh_, facets_of(mesh_, std::array{id}));
+    row->second = find_wall(id);
   if (fresh && row->second && !row->second->flat() && is_round_ && !is_round_(id))
     row->second.reset();
   return row->second;
+}
+
+std::optional<exact_wall> wall_places::find_wall(surface_id id) const {
+  const auto facets = facets_of(mesh_, std::array{id});
+  if (auto exact = find_exact(mesh_, facets))
+    return exact;
+  const auto corners = corners_of(mesh_, facets);
+  const auto fitted = near_ ? fitted_form::near(corners, *near_) : fitted_form::through(corners);
+  if (!fitted)
+    return std::nullopt;
+  exact_wall wall;
+  wall.free_form = fitted;
+  return wall;
 }
 
 double wall_places::off(surface_id id, vec3 p) {

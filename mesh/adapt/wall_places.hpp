@@ -7,6 +7,8 @@
 #include <span>
 
 #include "mesh/adapt/adapt_mesh.hpp"
+#include "mesh/box.hpp"
+#include "mesh/features/fitted_form.hpp"
 #include "mesh/features/known_wall.hpp"
 
 namespace tedit {
@@ -21,8 +23,10 @@ class wall_places {
 public:
   /// @param is_round which walls may be taken for cylinders, cones, spheres or tori; all where it
   /// is empty.
-  explicit wall_places(const mesh_version& mesh, round_test is_round = {})
-      : mesh_(mesh), is_round_(std::move(is_round)) {}
+  /// @param near free form is fitted there alone; else everywhere.
+  explicit wall_places(const mesh_version& mesh, round_test is_round = {},
+                       const std::optional<box>& near = {})
+      : mesh_(mesh), is_round_(std::move(is_round)), near_(near) {}
 
   /// Where the middle of an edge of the skin belongs: on all the walls whose triangles meet there,
   /// but for those of free form. The middle itself where they are flat or no such point is near.
@@ -33,11 +37,14 @@ public:
   [[nodiscard]] double off(surface_id wall, vec3 p);
 
 private:
-  /// Nothing for free form.
+  /// Nothing for free form of which nothing is known.
   const std::optional<exact_wall>& wall_of(surface_id id);
+
+  [[nodiscard]] std::optional<exact_wall> find_wall(surface_id id) const;
 
   const mesh_version& mesh_;
   round_test is_round_;
+  std::optional<box> near_;
   std::map<surface_id, std::optional<exact_wall>> walls_;
 };
 

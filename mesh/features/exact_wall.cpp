@@ -165,24 +165,28 @@ vec3 from_tube(const wall_shape& ring, vec3 p) {
   return d - ring.radius * normalized(across);
 }
 
-double missing(const wall_demand& d, vec3 p) {
-  return d.wall ? d.wall->distance(p) : dot(d.normal, p - d.point);
+/// What each demand misses at a point, and how that changes.
+std::vector<exact_wall::reading> read_at(const std::vector<wall_demand>& demands, vec3 p) {
+  std::vector<exact_wall::reading> result;
+  for (const auto& d : demands)
+    result.push_back(d.wall ? d.wall->at(p)
+                            : exact_wall::reading{dot(d.normal, p - d.point), d.normal});
+  return result;
 }
 
-double worst_of(const std::vector<wall_demand>& demands, vec3 p) {
+double worst_of(const std::vector<exact_wall::reading>& readings) {
   double worst = 0;
-  for (const auto& d : demands)
-    worst = std::max(worst, std::abs(missing(d, p)));
+  for (const auto& one : readings)
+    worst = std::max(worst, std::abs(one.distance));
   return worst;
 }
 
 /// The shortest step that fulfils the demands to first order, as far as they are independent.
-vec3 step_at(const std::vector<wall_demand>& demands, vec3 p) {
+vec3 step_from(const std::vector<exact_wall::reading>& readings) {
   std::array<vec3, 3> basis;
   std::size_t rank = 0;
   vec3 step;
-  for (const auto& d : demands) {
-    const vec3 slope = d.wall ? d.wall->normal(p) : d.normal;
+  for (const auto& [missing, slope] : readings) {
     vec3 rest = slope;
     for (std::size_t i = 0; i < rank; ++i)
       rest = rest - dot(rest, basis[i]) * basis[i];
@@ -190,7 +194,7 @@ vec3 step_at(const std::vector<wall_demand>& demands, vec3 p) {
     if (rank == basis.size() || size < least_slope)
       continue;
     basis[rank] = rest / size;
-    step -= (missing(d, p) + dot(slope, step)) / size * basis[rank];
+    step -= (missing + dot(slope, step)) / size * basis[rank];
     ++rank;
   }
   return step;
@@ -209,8 +213,8 @@ std::vector<wall_demand> without_smooth(const std::vector<wall_demand>& all, vec
 }  // namespace
 
 double exact_wall::distance(vec3 p) const {
-  if (spline) {
-    const auto foot = (*spline)(p);
+  if (free_form) {
+    const auto foot = (*free_form)(p);
     return shape.side * dot(p - foot.at, foot.normal);
   }
   if (tube_radius > 0)
@@ -220,16 +224,23 @@ double exact_wall::distance(vec3 p) const {
 }
 
 vec3 exact_wall::normal(vec3 p) const {
-  if (spline)
-    return shape.side * (*spline)(p).normal;
+  if (free_form)
+    return shape.side * (*free_form)(p).normal;
   if (tube_radius > 0)
     return shape.side * normalized(from_tube(shape, p));
   return sphere_radius > 0 ? shape.side * normalized(p - shape.point) : shape.normal(p);
 }
 
+exact_wall::reading exact_wall::at(vec3 p) const {
+  if (!free_form)
+    return {distance(p), normal(p)};
+  const auto foot = (*free_form)(p);
+  return {shape.side * dot(p - foot.at, foot.normal), shape.side * foot.normal};
+}
+
 double exact_wall::radius_at(vec3 p) const {
-  if (spline)
-    return spline->least_radius();
+  if (free_form)
+    return free_form->least_radius();
   if (sphere_radius > 0 || tube_radius > 0)
     return sphere_radius + tube_radius;
   if (flat())
@@ -306,7 +317,8 @@ wall_place place_on_walls(const std::vector<wall_demand>& all, vec3 start) {
       radius = std::min(radius, d.wall->radius_at(start));
   wall_place result;
   result.at = start;
-  result.before = result.after = worst_of(demands, start);
+  auto readings = read_at(demands, start);
+  result.before = result.after = worst_of(readings);
   // Planes alone take one step.
   if (std::isfinite(radius) && result.before <= on_its_wall * radius) {
     result.found = true;
@@ -319,11 +331,12 @@ wall_place place_on_walls(const std::vector<wall_demand>& all, vec3 start) {
   result.found = std::isfinite(radius) && result.before <= near;
   vec3 p = start;
   for (int i = 0; i < most_wall_steps; ++i) {
-    const vec3 step = step_at(demands, p);
+    const vec3 step = step_from(readings);
     p += step;
     if (!is_finite(p) || norm(p - start) > furthest_move * radius)
       return result;
-    const double off = worst_of(demands, p);
+    readings = read_at(demands, p);
+    const double off = worst_of(readings);
     if (off > rounding * radius && norm(step) > rounding * radius && i + 1 < most_wall_steps)
       continue;
     if (off > near || (result.found && off > result.before))

@@ -10,26 +10,32 @@
 
 namespace tedit {
 
-/// The exact surface behind a wall: a plane, a cylinder, a cone, a sphere or a torus; where a CAD
-/// model has it, free form, too.
+/// The exact surface behind a wall: a plane, a cylinder, a cone, a sphere or a torus; free form,
+/// too, where a CAD model has it or its corners say it (`fitted_form`).
 struct exact_wall {
   /// Of a sphere centre (as point) and side, of a torus axis and radius, too; of free form the
   /// side.
   wall_shape shape;
-  double sphere_radius = 0;                                   ///< m; 0: no sphere.
-  double tube_radius = 0;                                     ///< m; 0: no torus.
-  std::shared_ptr<const spline_projection> spline = nullptr;  ///< Of free form alone.
+  double sphere_radius = 0;                                       ///< m; 0: no sphere.
+  double tube_radius = 0;                                         ///< m; 0: no torus.
+  std::shared_ptr<const surface_projection> free_form = nullptr;  ///< Of free form alone.
   double vague = 0;       ///< m: so far may edges of the CAD model be off it.
   bool is_known = false;  ///< By the CAD model: however few corners there are, it is no guess.
 
   [[nodiscard]] bool flat() const {
-    return sphere_radius == 0 && tube_radius == 0 && !spline &&
+    return sphere_radius == 0 && tube_radius == 0 && !free_form &&
            shape.type == wall_shape::kind::plane;
   }
   /// Signed, m: positive off the material.
   [[nodiscard]] double distance(vec3 p) const;
   /// Unit, outward: the gradient of `distance`.
   [[nodiscard]] vec3 normal(vec3 p) const;
+  /// Both at once, for the cost of one where the wall is of free form.
+  struct reading {
+    double distance = 0;
+    vec3 normal;
+  };
+  [[nodiscard]] reading at(vec3 p) const;
   /// The nearest point of the wall.
   [[nodiscard]] vec3 project(vec3 p) const { return p - distance(p) * normal(p); }
   /// m: of the wall's circle at p, the narrower one of a torus; that of a plane is infinite, of

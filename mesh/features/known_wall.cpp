@@ -51,7 +51,7 @@ exact_wall wall_of(const surface_geometry& from) {
       wall.tube_radius = from.tube_radius;
       break;
     case surface_geometry::kind::spline:
-      wall.spline = std::make_shared<const spline_projection>(*from.spline);
+      wall.free_form = std::make_shared<const spline_projection>(*from.spline);
       break;
     case surface_geometry::kind::plane:
     case surface_geometry::kind::none:
@@ -87,8 +87,8 @@ double scale_of(std::span<const vec3> points, const exact_wall& wall) {
   double scale = 0;
   for (const auto& p : points)
     scale = std::max(scale, norm(p - middle));
-  if (wall.spline)
-    return std::min(scale, wall.spline->least_radius());
+  if (wall.free_form)
+    return std::min(scale, wall.free_form->least_radius());
   for (const double radius : {wall.shape.radius, wall.sphere_radius, wall.tube_radius})
     if (radius > 0)
       scale = std::min(scale, radius);

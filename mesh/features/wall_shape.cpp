@@ -309,7 +309,7 @@ std::optional<wall_shape> fit_wall(std::span<const vec3> points,
 std::optional<wall_shape> fit_wall(const mesh_version& mesh, std::span<const facet_id> facets,
                                    const fit_limits& limits) {
   const auto corners = corners_of(mesh, facets);
-  if (const auto known = known_wall(mesh, facets, corners); known && !known->spline)
+  if (const auto known = known_wall(mesh, facets, corners); known && !known->free_form)
     return as_shape(*known, corners, limits);
   return fit_wall(corners.points, corners.triangles, limits);
 }

@@ -83,6 +83,11 @@ const round_walls::wall& round_walls::of_part(surface_id id) {
     const auto facets = facets_of(part_, std::array{id});
     const auto corners = corners_of(part_, facets);
     add(row->second, corners, known_wall(part_, facets, corners), true);
+    if (row->second.free_form)
+      if (auto fitted = fitted_form::near(corners, near_)) {
+        row->second.free_form = false;
+        row->second.round.emplace_back().free_form = std::move(fitted);
+      }
     for (std::size_t face = 0; face < continues_.size(); ++face)
       if (continues_[face] == id) {
         const auto& own = of_tool(face);
@@ -109,7 +114,7 @@ const round_walls::wall& round_walls::of_tool(std::size_t face) {
 }
 
 void round_walls::add(wall& to, const facet_corners& corners,
-                      const std::optional<exact_wall>& known, bool is_part) const {
+                      const std::optional<exact_wall>& known, bool is_part) {
   if (corners.triangles.empty())
     return;
   const auto shape = known ? known : fit_exact(corners);

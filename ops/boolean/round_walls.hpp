@@ -7,8 +7,10 @@
 #include <vector>
 
 #include "mesh/box.hpp"
+#include "mesh/features/fitted_form.hpp"
 #include "mesh/features/known_wall.hpp"
 #include "ops/boolean/remesh.hpp"
+#include "ops/tools/local_size.hpp"
 
 namespace tedit::ops {
 
@@ -19,7 +21,7 @@ public:
   /// @param continues as for `services::boolean_onto`.
   round_walls(const mesh_version& part, const tool_surface& tool,
               const std::vector<std::optional<surface_id>>& continues)
-      : part_(part), tool_(tool), continues_(continues) {}
+      : part_(part), tool_(tool), continues_(continues), near_(extent_of(tool)) {}
 
   struct wall {
     std::vector<exact_wall> round;    ///< None: it is flat, or of no known shape.
@@ -55,12 +57,13 @@ public:
 private:
   const wall& of_part(surface_id id);
   const wall& of_tool(std::size_t face);
-  void add(wall& to, const facet_corners& corners, const std::optional<exact_wall>& known,
-           bool is_part) const;
+  static void add(wall& to, const facet_corners& corners, const std::optional<exact_wall>& known,
+                  bool is_part);
 
   const mesh_version& part_;
   const tool_surface& tool_;
   const std::vector<std::optional<surface_id>>& continues_;
+  box near_;  ///< The tool's: free form is fitted there alone.
   std::map<surface_id, wall> part_walls_;
   std::map<std::size_t, wall> tool_walls_;
   const wall unknown_{{}, {}, true};

@@ -267,6 +267,26 @@ TEST_F(RoundWalls, ASquareBossMovesBothSidesOfItsCorners) {
   }
 }
 
+/// Its upper edge goes along what the facets of the top stand for: these are up to 4e-3 off it.
+TEST_F(RoundWalls, AWallBesideFreeFormGoesAlongIt) {
+  const auto height = [](double x, double y) {
+    return 0.4 + 0.3 * std::sin(2.5 * x + 0.2) * std::sin(2 * y + 0.4);
+  };
+  const auto base = test::box_mesh({10, 10, 3}, {1, 1, 1}, [&](vec3 p) {
+    return vec3{p.x, p.y, p.z * height(p.x, p.y)};
+  });
+  const auto after = finish(base, shift(base, {1}, -0.045));
+
+  ASSERT_TRUE(after);
+  double furthest = 0;
+  for (const auto f : facets_of(*after, std::vector<surface_id>{6}))
+    for (const auto v : after->facet(f).v) {
+      const vec3 p = after->position(v);
+      furthest = std::max(furthest, std::abs(p.z - height(p.x, p.y)));
+    }
+  EXPECT_LT(furthest, 2e-4);
+}
+
 TEST_F(RoundWalls, AWallOfFreeFormMovesAlongItsNormals) {
   const auto height = [](double x, double y) {
     return 1 + 0.1 * std::sin(3 * x) * std::cos(2 * y);

@@ -185,5 +185,39 @@ TEST_F(DrillPlaces, AShapeThatIsNoneIsToldWithTheFirstPlace) {
   EXPECT_THAT(fine.error().message, HasSubstr("place 1 of 2 (200, 200, 200 mm): "));
 }
 
+/// A block whose top is a dome of free form, of facets that are up to 3 mm off it.
+class DrillInADome : public Drill {
+protected:
+  static double height(double x, double y) {
+    return 0.4 + 0.3 * std::sin(2.5 * x + 0.2) * std::sin(2 * y + 0.4);
+  }
+
+  /// m: how far vertices of the top that are not the block's are off the dome, at most.
+  [[nodiscard]] double furthest_off(const mesh_version& mesh) const {
+    double furthest = 0;
+    for (const auto f : facets_of(mesh, std::array<surface_id, 1>{6}))
+      for (const auto v : mesh.facet(f).v)
+        if (const vec3 p = mesh.position(v); v >= dome_->vertex_slots())
+          furthest = std::max(furthest, std::abs(p.z - height(p.x, p.y)));
+    return furthest;
+  }
+
+  version_ptr dome_ = test::box_mesh({10, 10, 3}, {1, 1, 1}, [](vec3 p) {
+    return vec3{p.x, p.y, p.z * height(p.x, p.y)};
+  });
+};
+
+/// On the facets the rim would be off it by up to l^2 / 8 R: edges of 0.14 bend by 1 / R = 1.9.
+TEST_F(DrillInADome, TheRimLiesOnTheWallThatTheFacetsStandFor) {
+  for (const vec3 at : {vec3{0.47, 0.52, 0}, {0.31, 0.64, 0}, {0.66, 0.37, 0}}) {
+    const auto result =
+      drill(dome_, {{at.x, at.y, height(at.x, at.y)}, up_, 0.1}, {.diameter = 0.25}, {}, ctx_);
+
+    ASSERT_TRUE(result) << render(result.error());
+    expect_good(dome_, *result);
+    EXPECT_LT(furthest_off(*result->candidate), 1e-4);
+  }
+}
+
 }  // namespace
 }  // namespace tedit::ops

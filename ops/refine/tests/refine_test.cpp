@@ -135,6 +135,31 @@ TEST_F(Refine, OnlyTheNamedWallsChordsAreHalved) {
   EXPECT_EQ(made->vertices, 0u);
 }
 
+TEST_F(Refine, NewVerticesOfASmoothWallLieOnWhatItsFacetsStandFor) {
+  const auto height = [](double x, double y) {
+    return 0.4 + 0.3 * std::sin(2.5 * x + 0.2) * std::sin(2 * y + 0.4);
+  };
+  const auto dome = test::box_mesh({10, 10, 3}, {1, 1, 1}, [&](vec3 p) {
+    return vec3{p.x, p.y, p.z * height(p.x, p.y)};
+  });
+
+  const auto result = refined(dome, {{6}, {}, 0}, 0.04);
+
+  ASSERT_TRUE(result) << render(result.error());
+  expect_good(dome, *result);
+  // What the top is higher than its facets, of which the sides' rims are a part.
+  EXPECT_GT(result->volume_change, 3e-4);
+  EXPECT_LT(result->volume_change, 3e-3);
+  double furthest = 0;
+  for (const auto f : facets_of(*result->candidate, std::array<surface_id, 1>{6}))
+    for (const auto v : result->candidate->facet(f).v) {
+      const vec3 p = result->candidate->position(v);
+      furthest = std::max(furthest, std::abs(p.z - height(p.x, p.y)));
+    }
+  // Of chords it would be 3e-3.
+  EXPECT_LT(furthest, 2e-4);
+}
+
 TEST_F(Refine, NewVerticesOfABoreLieOnItsCylinder) {
   const auto tube = test::tube_mesh({.sides = 16, .inner = 1, .outer = 2, .length = 1});
 

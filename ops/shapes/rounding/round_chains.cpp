@@ -33,7 +33,7 @@ using surface_pair = std::pair<surface_id, surface_id>;
 /// picks its edge has seen that it is round. Nothing for free form.
 std::optional<exact_wall> fitted_to(const mesh_version& mesh, std::span<const facet_id> facets) {
   const auto corners = corners_of(mesh, facets);
-  if (auto known = known_wall(mesh, facets, corners); known && !known->spline)
+  if (auto known = known_wall(mesh, facets, corners); known && !known->free_form)
     return known;
   if (const auto coarse = fit_wall(corners.points, corners.triangles))
     return exact_wall{*coarse};

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <unordered_set>
 
+#include "mesh/features/fitted_form.hpp"
 #include "mesh/features/known_wall.hpp"
 #include "mesh/level_set_freedom.hpp"
 #include "mesh/level_set_patch.hpp"
@@ -38,7 +39,7 @@ constexpr double least_sine = 0.05;
 constexpr double flush_tolerance = 0.1;
 constexpr int newton_steps = 30;
 
-/// A surface as the shift sees it: its exact shape where it has one.
+/// A surface as the shift sees it: its shape where it has one, or its facets stand for one.
 struct known_surface {
   std::optional<exact_wall> wall;
   std::optional<facet_sheet> sheet;
@@ -296,9 +297,29 @@ private:
         if (const auto shape = fit_wall(base, facets, round_enough))
           row->second.wall = exact_wall{*shape};
       if (!row->second.wall)
+        row->second.wall = fitted_near(corners_of(base, facets));
+      if (!row->second.wall)
         row->second.sheet.emplace(base, id);
     }
     return row->second;
+  }
+
+  /// What the facets of a wall of free form stand for, beside what moves.
+  std::optional<exact_wall> fitted_near(const facet_corners& facets) {
+    if (!near_) {
+      near_.emplace();
+      for (const auto& [id, wall] : walls_)
+        for (const auto& p :
+             corners_of(*mesh_.base(), facets_of(*mesh_.base(), std::array{id})).points)
+          near_->add(p);
+      *near_ = near_->grown(std::abs(distance_));
+    }
+    const auto fitted = fitted_form::near(facets, *near_);
+    if (!fitted)
+      return std::nullopt;
+    exact_wall wall;
+    wall.free_form = fitted;
+    return wall;
   }
 
   /// Would all tets around stay as good as they must, and the boundary clear of itself?
@@ -373,6 +394,7 @@ private:
   double reached_ = 0;  ///< Share of the way.
   std::string obstacle_;
   std::map<surface_id, known_surface> surfaces_;
+  std::optional<box> near_;  ///< What moves, and where it goes.
   std::map<std::pair<vertex_id, surface_id>, double> offsets_;
 };
 

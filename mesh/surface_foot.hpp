@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "mesh/vec3.hpp"
+
+namespace tedit {
+
+/// Where a surface is nearest to a point.
+struct surface_foot {
+  vec3 at;
+  vec3 normal;  ///< Unit.
+};
+
+/// Finds the point of a surface of free form that is nearest to others.
+class surface_projection {
+public:
+  virtual ~surface_projection() = default;
+
+  [[nodiscard]] virtual surface_foot operator()(vec3 p) const = 0;
+
+  /// m: a radius of curvature that it nowhere is below, as far as was looked.
+  [[nodiscard]] virtual double least_radius() const = 0;
+};
+
+}  // namespace tedit
