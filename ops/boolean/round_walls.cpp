@@ -83,7 +83,8 @@ const round_walls::wall& round_walls::of_part(surface_id id) {
     const auto facets = facets_of(part_, std::array{id});
     const auto corners = corners_of(part_, facets);
     add(row->second, corners, known_wall(part_, facets, corners), true);
-    if (row->second.free_form)
+    // Beside walls that a CAD model has, others keep their facets: a guess would bind these, too.
+    if (row->second.free_form && !has_geometries(part_))
       if (auto fitted = fitted_form::near(corners, near_)) {
         row->second.free_form = false;
         row->second.round.emplace_back().free_form = std::move(fitted);
