@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include <BRepAdaptor_Curve.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>
@@ -31,6 +32,7 @@ public:
   in_place_mover(const part_model& part, const cad_step& step)
       : part_(part), surfaces_(part, step) {
     TopExp::MapShapesAndAncestors(part.shape, TopAbs_VERTEX, TopAbs_FACE, faces_at_vertex_);
+    TopExp::MapShapesAndAncestors(part.shape, TopAbs_VERTEX, TopAbs_EDGE, edges_at_vertex_);
     TopExp::MapShapesAndAncestors(part.shape, TopAbs_EDGE, TopAbs_FACE, faces_at_edge_);
   }
 
@@ -48,14 +50,32 @@ private:
   TopoDS_Vertex new_vertex(const TopoDS_Vertex& old) {
     if (!vertices_.IsBound(old)) {
       const auto start = BRep_Tool::Pnt(old);
+      const auto faces = surfaces_.faces_around(faces_at_vertex_.FindFromKey(old));
       const auto at =
-        surfaces_.place_of(start, surfaces_.faces_around(faces_at_vertex_.FindFromKey(old)));
+        surfaces_.moves(faces.front()) ? surfaces_.place_of(start, faces, aside_at(old)) : start;
       TopoDS_Vertex made = old;
       if (!surfaces_.is_same(at, start))
         BRep_Builder().MakeVertex(made, at, BRep_Tool::Tolerance(old));
       vertices_.Bind(old, made);
     }
     return TopoDS::Vertex(vertices_.Find(old));
+  }
+
+  /// Where it does not go: across smooth edges that end there.
+  [[nodiscard]] std::vector<gp_Vec> aside_at(const TopoDS_Vertex& vertex) const {
+    std::vector<gp_Vec> aside;
+    for (const auto& edge : edges_at_vertex_.FindFromKey(vertex)) {
+      if (BRep_Tool::Degenerated(TopoDS::Edge(edge)))
+        continue;
+      const BRepAdaptor_Curve curve(TopoDS::Edge(edge));
+      gp_Pnt at;
+      gp_Vec along;
+      curve.D1(BRep_Tool::Parameter(vertex, TopoDS::Edge(edge)), at, along);
+      if (const auto way =
+            surfaces_.aside_of(at, along, surfaces_.faces_around(faces_at_edge_.FindFromKey(edge))))
+        aside.push_back(*way);
+    }
+    return aside;
   }
 
   /// Forward, as the old one runs.
@@ -225,6 +245,7 @@ private:
   const part_model& part_;
   const moved_surfaces surfaces_;
   TopTools_IndexedDataMapOfShapeListOfShape faces_at_vertex_;
+  TopTools_IndexedDataMapOfShapeListOfShape edges_at_vertex_;
   TopTools_IndexedDataMapOfShapeListOfShape faces_at_edge_;
   TopTools_DataMapOfShapeShape vertices_;
   TopTools_DataMapOfShapeShape edges_;

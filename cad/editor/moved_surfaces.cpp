@@ -137,7 +137,8 @@ std::vector<TopoDS_Shape> moved_surfaces::faces_around(const TopTools_ListOfShap
   return faces;
 }
 
-gp_Pnt moved_surfaces::place_of(const gp_Pnt& start, const std::vector<TopoDS_Shape>& faces) const {
+gp_Pnt moved_surfaces::place_of(const gp_Pnt& start, const std::vector<TopoDS_Shape>& faces,
+                                const std::vector<gp_Vec>& aside) const {
   if (!moves(faces.front()))
     return start;
   gp_Pnt at = start;
@@ -153,7 +154,7 @@ gp_Pnt moved_surfaces::place_of(const gp_Pnt& start, const std::vector<TopoDS_Sh
       at = shifted;
   }
   for (int n = 0; n < newton_steps; ++n) {
-    const auto step = newton_step(faces, at);
+    const auto step = newton_step(faces, at, aside);
     at.Translate(step);
     if (step.Magnitude() < 1e-3 * place_share * size_)
       break;
@@ -163,22 +164,39 @@ gp_Pnt moved_surfaces::place_of(const gp_Pnt& start, const std::vector<TopoDS_Sh
   return at;
 }
 
-gp_Vec moved_surfaces::newton_step(const std::vector<TopoDS_Shape>& faces, const gp_Pnt& at) const {
+gp_Vec moved_surfaces::newton_step(const std::vector<TopoDS_Shape>& faces, const gp_Pnt& at,
+                                   const std::vector<gp_Vec>& aside) const {
   std::vector<gp_Vec> basis;
   gp_Vec step(0, 0, 0);
-  for (const auto& face : faces) {
-    const auto below = foot_of(after(face), at);
-    const double missing = below.normal.Dot(gp_Vec(at, below.at)) - below.normal.Dot(step);
-    gp_Vec rest = below.normal;
+  const auto go = [&](const gp_Vec& way, double by) {
+    gp_Vec rest = way;
     for (const auto& b : basis)
       rest -= b * rest.Dot(b);
     const double size = rest.Magnitude();
     if (size < least_sine || basis.size() == 3)
-      continue;
+      return;
     basis.push_back(rest / size);
-    step += basis.back() * (missing / size);
+    step += basis.back() * ((by - way.Dot(step)) / size);
+  };
+  for (const auto& way : aside)
+    go(way, 0);
+  for (const auto& face : faces) {
+    const auto below = foot_of(after(face), at);
+    go(below.normal, below.normal.Dot(gp_Vec(at, below.at)));
   }
   return step;
+}
+
+std::optional<gp_Vec> moved_surfaces::aside_of(const gp_Pnt& at, const gp_Vec& along,
+                                               const std::vector<TopoDS_Shape>& faces) const {
+  if (faces.size() != 2)
+    return std::nullopt;
+  const auto one = foot_of(surface_of(faces[0]), at).normal;
+  const auto other = foot_of(surface_of(faces[1]), at).normal;
+  const auto aside = one.Crossed(along);
+  if (one.Crossed(other).Magnitude() >= least_sine || aside.Magnitude() < 1e-12)
+    return std::nullopt;
+  return aside.Normalized();
 }
 
 bool moved_surfaces::is_same(const gp_Pnt& one, const gp_Pnt& other) const {

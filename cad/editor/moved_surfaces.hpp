@@ -39,7 +39,14 @@ public:
 
   /// Where the surfaces around a vertex meet then, by the shortest steps from where it was. Throws
   /// `nowhere`. Cost: a projection on each of them some times.
-  [[nodiscard]] gp_Pnt place_of(const gp_Pnt& start, const std::vector<TopoDS_Shape>& faces) const;
+  /// @param aside unit: ways that the vertex does not go (`aside_of`), but with what is shifted.
+  [[nodiscard]] gp_Pnt place_of(const gp_Pnt& start, const std::vector<TopoDS_Shape>& faces,
+                                const std::vector<gp_Vec>& aside) const;
+
+  /// Across an edge in which two faces touch smoothly, in both: what they are says nothing of that
+  /// way. None of another edge. Cost: O(1).
+  [[nodiscard]] std::optional<gp_Vec> aside_of(const gp_Pnt& at, const gp_Vec& along,
+                                               const std::vector<TopoDS_Shape>& faces) const;
 
   /// The curve of an edge where its surfaces are then, through its ends; not yet which way it runs.
   /// Throws `nowhere`. Cost: an intersection of two surfaces at most.
@@ -65,7 +72,8 @@ private:
   bool add_wall(const TopoDS_Face& face);
   [[nodiscard]] const row* row_of(const TopoDS_Shape& face) const;
   [[nodiscard]] double outward(const TopoDS_Face& face) const;
-  [[nodiscard]] gp_Vec newton_step(const std::vector<TopoDS_Shape>& faces, const gp_Pnt& at) const;
+  [[nodiscard]] gp_Vec newton_step(const std::vector<TopoDS_Shape>& faces, const gp_Pnt& at,
+                                   const std::vector<gp_Vec>& aside) const;
   [[nodiscard]] bool is_on_all(const gp_Pnt& p, const std::vector<TopoDS_Shape>& faces) const;
   [[nodiscard]] bool is_on_all(const Handle(Geom_Curve) & curve, double from, double to,
                                const std::vector<TopoDS_Shape>& faces) const;

@@ -72,7 +72,7 @@ TopoDS_Shape moved_by_layers(const part_model& part, const std::vector<TopoDS_Fa
     layers.push_back(layer);
   }
   return combined(part, layers, distance > 0 ? body_operation::add : body_operation::cut,
-                  owner_of(walls));
+                  owner_of(walls), new_edges::go_across_simple);
 }
 
 /// Its direction as the face goes round it, at its middle.
@@ -165,7 +165,8 @@ std::vector<way> ways_to_shift(const part_model& part, const cad_step& step,
     return ways;
   for (const auto& [name, by] : {std::pair{"slab", slab_division::edges},
                                  {"slab by edges around", slab_division::edges_around},
-                                 {"slab by planes around", slab_division::planes_around}})
+                                 {"slab by planes around", slab_division::planes_around},
+                                 {"slab by edges beyond", slab_division::edges_beyond}})
     ways.push_back({name, [&part, &mesh, walls, distance, by] {
                       return moved_by_slab(part, *walls, distance, by, mesh);
                     }});

@@ -10,10 +10,12 @@
 
 #include <BOPAlgo_Splitter.hxx>
 #include <BOPTools_AlgoTools3D.hxx>
+#include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepAlgoAPI_Common.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBndLib.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepClass3d_SolidClassifier.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
@@ -144,6 +146,16 @@ TopTools_IndexedMapOfShape with_neighbours(const TopTools_IndexedMapOfShape& fac
   return all;
 }
 
+/// A straight edge, longer by `more` (mm) at both ends; another one as it is.
+TopoDS_Shape prolonged(const TopoDS_Shape& edge, double more) {
+  const BRepAdaptor_Curve curve(TopoDS::Edge(edge));
+  if (curve.GetType() != GeomAbs_Line)
+    return edge;
+  return BRepBuilderAPI_MakeEdge(curve.Line(), curve.FirstParameter() - more,
+                                 curve.LastParameter() + more)
+    .Shape();
+}
+
 /// What an edge passes on its way to the slab's other side, from wherever in it.
 TopoDS_Shape upright(const TopoDS_Shape& edge, const gp_Vec& way) {
   gp_Trsf back;
@@ -182,17 +194,24 @@ public:
     own.Add(wall_);
     const auto beside = with_neighbours(own, at_);
     std::vector<TopoDS_Shape> dividers;
-    const auto edges = edges_of(by == slab_division::edges_around ? beside : own);
+    const auto edges = edges_of(by == slab_division::edges_beyond   ? with_neighbours(beside, at_)
+                                : by == slab_division::edges_around ? beside
+                                                                    : own);
+    const bool by_planes = by == slab_division::planes_around;
     for (Standard_Integer i = 1; i <= edges.Extent(); ++i)
-      if (!BRep_Tool::Degenerated(TopoDS::Edge(edges(i))) &&
-          !(by == slab_division::planes_around && is_prolonged(edges(i))))
-        dividers.push_back(upright(edges(i), way_));
-    if (by == slab_division::planes_around)
+      if (!BRep_Tool::Degenerated(TopoDS::Edge(edges(i))) && !(by_planes && is_prolonged(edges(i))))
+        dividers.push_back(upright(by_planes ? to_planes(edges(i)) : edges(i), way_));
+    if (by_planes)
       add_planes(with_neighbours(beside, at_), dividers);
     return dividers;
   }
 
 private:
+  /// As far as the next plane, which may lean.
+  [[nodiscard]] TopoDS_Shape to_planes(const TopoDS_Shape& edge) const {
+    return prolonged(edge, way_.Magnitude());
+  }
+
   /// Does a plane stand about upright beside the wall there? The mesh prolongs it.
   [[nodiscard]] bool is_prolonged(const TopoDS_Shape& edge) const {
     return std::ranges::any_of(at_.FindFromKey(edge), [&](const TopoDS_Shape& face) {
@@ -265,8 +284,10 @@ TopoDS_Shape moved_by_slab(const part_model& part, const std::vector<TopoDS_Face
         changed.push_back(piece);
   return changed.empty()
            ? TopoDS_Shape()
-           : combined(part, changed, distance_mm > 0 ? body_operation::add : body_operation::cut,
-                      [&](const TopoDS_Shape& solid) { return solid.IsSame(own); });
+           : combined(
+               part, changed, distance_mm > 0 ? body_operation::add : body_operation::cut,
+               [&](const TopoDS_Shape& solid) { return solid.IsSame(own); },
+               new_edges::go_across_simple);
 }
 
 }  // namespace tedit::cad

@@ -8,9 +8,10 @@ namespace tedit::cad {
 
 /// What divides a slab beside the part itself.
 enum class slab_division {
-  edges,         ///< Straight up or down from the wall's edges.
-  edges_around,  ///< And from those of the faces beside it.
-  planes_around  ///< From the wall's edges, and the planes of the faces around.
+  edges,          ///< Straight up or down from the wall's edges.
+  edges_around,   ///< And from those of the faces beside it.
+  planes_around,  ///< From the wall's edges, and the planes of the faces around.
+  edges_beyond    ///< From those of the faces beside these, too.
 };
 
 /// Takes off, or puts on, what lies between the plane of each wall and that plane moved outward by

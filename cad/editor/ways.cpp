@@ -1,16 +1,25 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "cad/editor/ways.hpp"
 
+#include <cmath>
+
+#include <BRepAdaptor_Surface.hxx>
 #include <BRepAlgoAPI_Common.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Precision.hxx>
 #include <ShapeUpgrade_UnifySameDomain.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_ListOfShape.hxx>
+#include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
+#include <gp_Ax3.hxx>
+#include <gp_Cylinder.hxx>
+#include <gp_Pln.hxx>
 
 namespace tedit::cad {
 
@@ -44,18 +53,42 @@ TopoDS_Shape run(body_operation operation, const TopoDS_Shape& solid,
   return {};
 }
 
+/// Are both pieces of one plane or cylinder, or of what is one surface in the model?
+bool are_of_one_surface(const TopoDS_Face& a, const TopoDS_Face& b) {
+  const BRepAdaptor_Surface one(a);
+  const BRepAdaptor_Surface other(b);
+  if (BRep_Tool::Surface(a) == BRep_Tool::Surface(b))
+    return true;
+  if (one.GetType() != other.GetType())
+    return false;
+  if (one.GetType() == GeomAbs_Plane)
+    return one.Plane().Position().IsCoplanar(other.Plane().Position(), Precision::Confusion(),
+                                             Precision::Angular());
+  return one.GetType() == GeomAbs_Cylinder &&
+         one.Cylinder().Axis().IsCoaxial(other.Cylinder().Axis(), Precision::Angular(),
+                                         Precision::Confusion()) &&
+         std::abs(one.Cylinder().Radius() - other.Cylinder().Radius()) < Precision::Confusion();
+}
+
 /// Edges between faces that are as they were stay: they part surfaces that have ids of their own.
-TopoDS_Shape without_new_edges(const TopoDS_Shape& shape, const TopTools_IndexedMapOfShape& old) {
+bool may_go(const TopTools_ListOfShape& faces, const TopTools_IndexedMapOfShape& old,
+            new_edges edges) {
+  bool is_old = true;
+  for (const auto& face : faces)
+    is_old = is_old && old.Contains(face);
+  return !is_old && (edges == new_edges::go ||
+                     (faces.Extent() == 2 &&
+                      are_of_one_surface(TopoDS::Face(faces.First()), TopoDS::Face(faces.Last()))));
+}
+
+TopoDS_Shape without_new_edges(const TopoDS_Shape& shape, const TopTools_IndexedMapOfShape& old,
+                               new_edges edges) {
   try {
     ShapeUpgrade_UnifySameDomain unify(shape, Standard_True, Standard_True, Standard_False);
     const auto at = faces_at_edges(shape);
-    for (Standard_Integer i = 1; i <= at.Extent(); ++i) {
-      bool is_old = true;
-      for (const auto& face : at(i))
-        is_old = is_old && old.Contains(face);
-      if (is_old)
+    for (Standard_Integer i = 1; i <= at.Extent(); ++i)
+      if (!may_go(at(i), old, edges))
         unify.KeepShape(at.FindKey(i));
-    }
     unify.Build();
     return unify.Shape().IsNull() ? shape : unify.Shape();
   } catch (const Standard_Failure&) {
@@ -97,7 +130,7 @@ TopoDS_Shape combined(const part_model& part, const std::vector<TopoDS_Shape>& t
     if (made.IsNull())
       return {};
     for (const auto& piece :
-         solids_of(edges == new_edges::stay ? made : without_new_edges(made, part.faces)))
+         solids_of(edges == new_edges::stay ? made : without_new_edges(made, part.faces, edges)))
       result.push_back(piece);
   }
   return compound_of(result);

@@ -44,7 +44,10 @@ enum class body_operation { cut, add, keep };
 
 /// Edges that a boolean draws across a face.
 enum class new_edges {
-  go,   ///< They are taken out again where that works.
+  go,  ///< They are taken out again where that works.
+  /// Those across planes and cylinders alone: where a wall has many holes OpenCASCADE 7.6.3 looks
+  /// for others for ever.
+  go_across_simple,
   stay  ///< Those of the tool may part surfaces that have ids of their own.
 };
 

@@ -10761,6 +10761,10 @@
         <source>solid %1 is not valid by OpenCASCADE&apos;s checks: look at its mesh</source>
         <translation>Körper %1 ist nach den Prüfungen von OpenCASCADE nicht gültig: das Netz ansehen</translation>
     </message>
+    <message>
+        <source>slab by edges beyond</source>
+        <translation>Scheibe nach Kanten dahinter</translation>
+    </message>
 </context>
 <context>
     <name>server_lists</name>

@@ -218,6 +218,25 @@ TEST_F(ReplayFeatures, AWallThatIsThickenedRunsIntoAFilletThatStays) {
     }
 }
 
+/// Rounds of 2 mm go along with the wall between; what they end at leans by 2.3 degrees, so that
+/// their corners come to lie 0.04 mm higher, and nowhere beside the edge where both run on
+/// smoothly.
+TEST_F(ReplayFeatures, ARoundThatGoesAlongEndsAtAPlaneThatLeans) {
+  (void)go({"open", {1, 3}, {{"radius", 0.002}}, {}});
+  (void)go({"plane_cut",
+            {},
+            {{"at", std::string("0,0.01,0.028")}, {"normal", std::string("0.04,0,1")}},
+            {}});
+  const double before = volume_of(model_);
+
+  const auto result = go({"thicken", {1}, {{"depth", 0.001}}, {}});
+
+  EXPECT_EQ(result.verdict.how, "in place");
+  // 1 mm by 20 mm, 28.02 mm high in the mean; the corner that the round leaves out is higher, too.
+  const double corner = 4 * (1 - std::numbers::pi / 4);
+  EXPECT_NEAR(volume_of(result.model) - before, 20 * 28.02 - 0.04 * corner, 1e-6);
+}
+
 /// A step of 4 mm on the box, and a triangle of 3 x 3 mm, 1 mm thick, in its corner.
 TEST_F(ReplayFeatures, ARibStandsInACorner) {
   const auto step = same(combination("add", box_obj({0, 0, 30}, {10, 8, 34})));
