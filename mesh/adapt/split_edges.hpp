@@ -27,7 +27,7 @@ struct split_report {
 
 /// Halves edges until none is longer than `size` + `size_growth` times how far its nearer end is
 /// from what was picked: always the longest edge of all tets around, so that tets keep their shape.
-/// New vertices on round walls and their edges lie on the fitted cylinder, cone or sphere
+/// New vertices on round walls, on free form and on their edges lie on what is behind the facets
 /// (`wall_places`). Source: Rivara 1997, New longest-edge algorithms for the refinement of
 /// triangulations. Errors: `invalid_parameter` when more than `most_tets` come out, `cancelled`.
 /// Cost: some microseconds a new tet.

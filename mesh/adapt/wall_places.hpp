@@ -17,8 +17,8 @@ namespace tedit {
 /// hexagon do, too.
 using round_test = std::function<bool(surface_id)>;
 
-/// The exact walls behind a version's surfaces: planes, cylinders, cones, spheres and tori, each
-/// fitted when it is first asked for.
+/// The walls behind a version's surfaces: planes, cylinders, cones, spheres, tori and smooth free
+/// form, each fitted when it is first asked for.
 class wall_places {
 public:
   /// @param is_round which walls may be taken for cylinders, cones, spheres or tori; all where it
@@ -29,11 +29,12 @@ public:
       : mesh_(mesh), is_round_(std::move(is_round)), near_(near) {}
 
   /// Where the middle of an edge of the skin belongs: on all the walls whose triangles meet there,
-  /// but for those of free form. The middle itself where they are flat or no such point is near.
+  /// but for those of which nothing is known. The middle itself where they are flat or no such
+  /// point is near.
   /// Cost: a fit of each surface once; else O(walls).
   [[nodiscard]] vec3 middle(vec3 a, vec3 b, std::span<const surface_id> walls);
 
-  /// m: how far a point is off the wall; 0 where that is of free form. Cost: the same.
+  /// m: how far a point is off the wall; 0 where nothing is known of it. Cost: the same.
   [[nodiscard]] double off(surface_id wall, vec3 p);
 
 private:
