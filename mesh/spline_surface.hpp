@@ -51,7 +51,9 @@ public:
   [[nodiscard]] surface_foot operator()(vec3 p) const override;
 
   /// m: the least radius of curvature that the grid shows, at most the surface's extent.
-  [[nodiscard]] double least_radius() const override { return least_radius_; }
+  [[nodiscard]] double least_radius() const { return least_radius_; }
+  /// The same.
+  [[nodiscard]] double radius_at(vec3) const override { return least_radius_; }
 
 private:
   struct sample {

@@ -18,8 +18,8 @@ public:
 
   [[nodiscard]] virtual surface_foot operator()(vec3 p) const = 0;
 
-  /// m: a radius of curvature that it nowhere is below, as far as was looked.
-  [[nodiscard]] virtual double least_radius() const = 0;
+  /// m: a radius of curvature that it is not below near p, as far as was looked.
+  [[nodiscard]] virtual double radius_at(vec3 p) const = 0;
 };
 
 }  // namespace tedit

@@ -64,7 +64,10 @@ vec3 wall_places::middle(vec3 a, vec3 b, std::span<const surface_id> ids) {
 
 std::size_t count_off_walls(const mesh_version& before, const mesh_version& after,
                             std::span<const tet_id> changed) {
-  wall_places walls(before);
+  box near;
+  for (const auto t : changed)
+    near.add(after.corners(t));
+  wall_places walls(before, {}, near);
   std::set<vertex_id> off;
   for (const auto t : changed)
     for (const auto n : after.neighbours(t)) {

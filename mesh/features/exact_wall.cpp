@@ -240,7 +240,7 @@ exact_wall::reading exact_wall::at(vec3 p) const {
 
 double exact_wall::radius_at(vec3 p) const {
   if (free_form)
-    return free_form->least_radius();
+    return free_form->radius_at(p);
   if (sphere_radius > 0 || tube_radius > 0)
     return sphere_radius + tube_radius;
   if (flat())

@@ -39,7 +39,7 @@ struct exact_wall {
   /// The nearest point of the wall.
   [[nodiscard]] vec3 project(vec3 p) const { return p - distance(p) * normal(p); }
   /// m: of the wall's circle at p, the narrower one of a torus; that of a plane is infinite, of
-  /// free form the least anywhere, and at a cone's tip it is small, but not none: what is near is
+  /// free form the least near p, and at a cone's tip it is small, but not none: what is near is
   /// told by shares of it.
   [[nodiscard]] double radius_at(vec3 p) const;
 };

@@ -14,7 +14,7 @@ namespace {
 /// Around the facets that meet a box so many rings are looked at: tools change two, and what is
 /// fitted at a corner needs as many again.
 constexpr int rings_around = 5;
-/// A foot is found to a share of the least radius, or to rounding.
+/// A foot is found to a share of the facet's edge, or to rounding.
 constexpr double foot_step = 1e-13;
 constexpr double ulp = 2e-16;
 constexpr int most_foot_steps = 12;
@@ -49,40 +49,31 @@ std::vector<std::uint8_t> corners_around(const facet_corners& facets, const box&
 
 }  // namespace
 
-fitted_form::fitted_form(facet_corners facets)
-    : facets_(std::move(facets)), directions_(directions_at_corners(facets_)) {
+fitted_form::fitted_form(facet_corners facets) : facets_(std::move(facets)), directions_(facets_) {
   std::vector<box> boxes;
-  for (const auto& t : facets_.triangles) {
-    patches_.push_back(patch_on(t));
-    boxes.push_back(box_of(patches_.back().corner));
-  }
+  for (const auto& t : facets_.triangles)
+    boxes.push_back(box_of(points_of(facets_, t)));
   tree_.emplace(boxes);
-  find_radius();
 }
 
-void fitted_form::find_radius() {
+double fitted_form::radius_at(vec3 p) const {
+  const auto& t = facets_.triangles[nearest_facet(p).triangle];
   const box all = tree_->extent();
-  least_radius_ = norm(all.high - all.low);
-  for (const auto& t : facets_.triangles)
-    for (int i = 0; i < 3; ++i) {
-      const auto a = t[i];
-      const auto b = t[(i + 1) % 3];
-      if (!directions_.said[a] || !directions_.said[b])
-        continue;
-      const double turn = norm(*directions_.said[a] - *directions_.said[b]);
-      const double length = norm(facets_.points[a] - facets_.points[b]);
-      if (turn * least_radius_ > length)
-        least_radius_ = length / turn;
-    }
+  double least = norm(all.high - all.low);
+  for (int i = 0; i < 3; ++i) {
+    const auto& one = directions_.at(t[i]);
+    const auto& other = directions_.at(t[(i + 1) % 3]);
+    const double length = norm(facets_.points[t[(i + 1) % 3]] - facets_.points[t[i]]);
+    if (one && other && norm(*one - *other) * least > length)
+      least = length / norm(*one - *other);
+  }
+  return least;
 }
 
 std::shared_ptr<const fitted_form> fitted_form::through(const facet_corners& facets) {
   if (facets.triangles.empty())
     return nullptr;
-  const std::shared_ptr<const fitted_form> made(new fitted_form(facets));
-  const bool any =
-    std::ranges::any_of(made->directions_.said, [](const auto& n) { return n.has_value(); });
-  return any ? made : nullptr;
+  return std::shared_ptr<const fitted_form>(new fitted_form(facets));
 }
 
 std::shared_ptr<const fitted_form> fitted_form::near(const facet_corners& facets,
@@ -97,7 +88,7 @@ std::shared_ptr<const fitted_form> fitted_form::near(const facet_corners& facets
     return nullptr;
   const bool all_said = std::ranges::all_of(made->facets_.triangles, [&](const auto& t) {
     return !within.meets(box_of(points_of(made->facets_, t))) ||
-           std::ranges::all_of(t, [&](auto v) { return made->directions_.said[v].has_value(); });
+           std::ranges::all_of(t, [&](auto v) { return made->directions_.at(v).has_value(); });
   });
   return all_said ? made : nullptr;
 }
@@ -132,9 +123,9 @@ fitted_form::patch_point fitted_form::nearest_facet(vec3 p) const {
 /// The edge's second point of control: straight on where its first corner has no direction.
 vec3 fitted_form::handle(std::uint32_t from, std::uint32_t to) const {
   const vec3 chord = facets_.points[to] - facets_.points[from];
-  if (!directions_.said[from])
+  if (!directions_.at(from))
     return facets_.points[from] + chord / 3;
-  const vec3 n = *directions_.said[from];
+  const vec3 n = *directions_.at(from);
   const vec3 along = chord - dot(chord, n) * n;
   const double length = norm(chord);
   const double cosine = norm(along) / length;
@@ -175,7 +166,7 @@ vec3 fitted_form::normal_at(const patch_point& where) const {
   const auto& t = facets_.triangles[where.triangle];
   vec3 normal;
   for (int i = 0; i < 3; ++i)
-    normal += where.share[i] * (directions_.said[t[i]].value_or(directions_.mean[t[i]]));
+    normal += where.share[i] * (directions_.at(t[i]).value_or(directions_.mean_at(t[i])));
   return normalized(normal);
 }
 
@@ -196,15 +187,15 @@ std::array<double, 3> fitted_form::stepped(const patch_point& from, const patch:
 }
 
 surface_foot fitted_form::operator()(vec3 p) const {
-  const double near = std::max(foot_step * least_radius_, ulp * norm(p));
   auto where = nearest_facet(p);
   surface_foot foot;
   for (int step = 0; step < most_foot_steps; ++step) {
-    const auto here = patches_[where.triangle](where.share);
+    const auto on = patch_on(facets_.triangles[where.triangle]);
+    const auto here = on(where.share);
     foot = {here.at, normal_at(where)};
     const vec3 off = p - foot.at;
     const vec3 aside = off - dot(off, foot.normal) * foot.normal;
-    if (norm(aside) <= near)
+    if (norm(aside) <= std::max(foot_step * norm(on.corner[1] - on.corner[0]), ulp * norm(p)))
       break;
     where.share = stepped(where, here, aside);
     if (std::ranges::any_of(where.share, [](double s) { return s < 0; }))

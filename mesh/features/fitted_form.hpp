@@ -19,20 +19,19 @@ namespace tedit {
 /// edges the handles are as long as those of a circle's arc.
 class fitted_form final : public surface_projection {
 public:
-  /// Nothing where no corner has a direction. Cost: O(facets log facets), some microseconds a
-  /// corner.
+  /// Nothing without facets. Cost: O(facets log facets).
   [[nodiscard]] static std::shared_ptr<const fitted_form> through(const facet_corners& facets);
 
   /// The same of the facets that meet a box and those around; nothing where not all corners there
-  /// have a direction. Elsewhere it may not be asked. Cost: O(facets), and the fit of some.
+  /// have a direction. Elsewhere it may not be asked. Cost: O(facets).
   [[nodiscard]] static std::shared_ptr<const fitted_form> near(const facet_corners& facets,
                                                                const box& within);
 
-  /// Past the rim it goes on straight. The same for the same point, to rounding. Cost: O(log
-  /// facets) some times.
+  /// Past the rim it goes on straight. The same for the same point, to rounding. Not by several
+  /// threads at once. Cost: O(log facets) some times, and the fit of a corner once.
   [[nodiscard]] surface_foot operator()(vec3 p) const override;
-  /// m: between neighbouring corners, at most the extent.
-  [[nodiscard]] double least_radius() const override { return least_radius_; }
+  /// m: between the corners of the facet there, at most the extent.
+  [[nodiscard]] double radius_at(vec3 p) const override;
 
 private:
   using triangle_corners = std::array<std::uint32_t, 3>;
@@ -57,7 +56,6 @@ private:
   };
 
   explicit fitted_form(facet_corners facets);
-  void find_radius();
   [[nodiscard]] vec3 handle(std::uint32_t from, std::uint32_t to) const;
   [[nodiscard]] patch patch_on(const triangle_corners& t) const;
   [[nodiscard]] patch_point nearest_facet(vec3 p) const;
@@ -68,9 +66,7 @@ private:
 
   facet_corners facets_;
   corner_directions directions_;
-  std::vector<patch> patches_;
   std::optional<box_tree> tree_;
-  double least_radius_ = 0;
 };
 
 }  // namespace tedit

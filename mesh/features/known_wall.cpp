@@ -88,7 +88,7 @@ double scale_of(std::span<const vec3> points, const exact_wall& wall) {
   for (const auto& p : points)
     scale = std::max(scale, norm(p - middle));
   if (wall.free_form)
-    return std::min(scale, wall.free_form->least_radius());
+    return std::min(scale, wall.free_form->radius_at(middle));
   for (const double radius : {wall.shape.radius, wall.sphere_radius, wall.tube_radius})
     if (radius > 0)
       scale = std::min(scale, radius);

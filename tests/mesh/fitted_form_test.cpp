@@ -66,8 +66,9 @@ TEST(FittedForm, IsMuchNearerToASmoothWallThanItsFacets) {
   EXPECT_NEAR(off.facets, 0.0025, 0.0005);
   EXPECT_LT(off.fitted, off.facets / 25);
   // The bend is at most that of the sine, f'' / (1 + f'^2)^(3/2) <= 1.2.
-  EXPECT_GT(form->least_radius(), 0.7);
-  EXPECT_LT(form->least_radius(), 1.2);
+  const vec3 top{0.8, 0.1, dome(0.8, 0.1)};
+  EXPECT_GT(form->radius_at(top), 0.7);
+  EXPECT_LT(form->radius_at(top), 1.2);
 }
 
 /// Of a radius of 1: chords of 0.1 are off by 1 - cos(0.05) = 1.25e-3 and more.
@@ -131,10 +132,13 @@ TEST(FittedForm, LeavesCreasesAsTheyAre) {
 
 TEST(FittedForm, SaysNothingOfThreeRowsOfCorners) {
   const auto strip = [](double, double y) { return -0.3 * std::abs(y - 0.1); };
-  EXPECT_FALSE(fitted_form::through(wall(10, 2, strip)));
-  EXPECT_FALSE(fitted_form::through(wall(10, 1, dome)));
-  EXPECT_TRUE(fitted_form::through(wall(10, 3, dome)));
+  const box within{{0.4, 0.04, -1}, {0.6, 0.06, 1}};
+  EXPECT_FALSE(fitted_form::near(wall(10, 2, strip), within));
+  EXPECT_FALSE(fitted_form::near(wall(10, 1, dome), within));
+  EXPECT_TRUE(fitted_form::near(wall(10, 3, dome), within));
   EXPECT_FALSE(fitted_form::through({}));
+  const auto facets = wall(10, 2, strip);
+  EXPECT_LT(furthest_off(facets, *fitted_form::through(facets), strip).fitted, 1e-15);
 }
 
 TEST(FittedForm, TakesNoNoiseForASmoothWall) {
