@@ -139,8 +139,6 @@ std::vector<TopoDS_Shape> moved_surfaces::faces_around(const TopTools_ListOfShap
 
 gp_Pnt moved_surfaces::place_of(const gp_Pnt& start, const std::vector<TopoDS_Shape>& faces,
                                 const std::vector<gp_Vec>& aside) const {
-  if (!moves(faces.front()))
-    return start;
   gp_Pnt at = start;
   for (const auto& face : faces) {
     const auto* one = row_of(face);

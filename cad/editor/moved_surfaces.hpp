@@ -37,7 +37,8 @@ public:
   /// Each face once; those that move first.
   [[nodiscard]] std::vector<TopoDS_Shape> faces_around(const TopTools_ListOfShape& all) const;
 
-  /// Where the surfaces around a vertex meet then, by the shortest steps from where it was. Throws
+  /// Where the surfaces around a vertex, of which one moves, meet then, by the shortest steps from
+  /// where it was. Throws
   /// `nowhere`. Cost: a projection on each of them some times.
   /// @param aside unit: ways that the vertex does not go (`aside_of`), but with what is shifted.
   [[nodiscard]] gp_Pnt place_of(const gp_Pnt& start, const std::vector<TopoDS_Shape>& faces,

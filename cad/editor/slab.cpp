@@ -146,7 +146,7 @@ TopTools_IndexedMapOfShape with_neighbours(const TopTools_IndexedMapOfShape& fac
   return all;
 }
 
-/// A straight edge, longer by `more` (mm) at both ends; another one as it is.
+/// A straight edge, longer by `more` (mm) at both ends, to planes that lean; another one as it is.
 TopoDS_Shape prolonged(const TopoDS_Shape& edge, double more) {
   const BRepAdaptor_Curve curve(TopoDS::Edge(edge));
   if (curve.GetType() != GeomAbs_Line)
@@ -200,18 +200,14 @@ public:
     const bool by_planes = by == slab_division::planes_around;
     for (Standard_Integer i = 1; i <= edges.Extent(); ++i)
       if (!BRep_Tool::Degenerated(TopoDS::Edge(edges(i))) && !(by_planes && is_prolonged(edges(i))))
-        dividers.push_back(upright(by_planes ? to_planes(edges(i)) : edges(i), way_));
+        dividers.push_back(
+          upright(by_planes ? prolonged(edges(i), way_.Magnitude()) : edges(i), way_));
     if (by_planes)
       add_planes(with_neighbours(beside, at_), dividers);
     return dividers;
   }
 
 private:
-  /// As far as the next plane, which may lean.
-  [[nodiscard]] TopoDS_Shape to_planes(const TopoDS_Shape& edge) const {
-    return prolonged(edge, way_.Magnitude());
-  }
-
   /// Does a plane stand about upright beside the wall there? The mesh prolongs it.
   [[nodiscard]] bool is_prolonged(const TopoDS_Shape& edge) const {
     return std::ranges::any_of(at_.FindFromKey(edge), [&](const TopoDS_Shape& face) {

@@ -29,15 +29,8 @@ const std::optional<exact_wall>& wall_places::wall_of(surface_id id) {
 
 std::optional<exact_wall> wall_places::find_wall(surface_id id) const {
   const auto facets = facets_of(mesh_, std::array{id});
-  if (auto exact = find_exact(mesh_, facets))
-    return exact;
-  const auto corners = corners_of(mesh_, facets);
-  const auto fitted = near_ ? fitted_form::near(corners, *near_) : fitted_form::through(corners);
-  if (!fitted)
-    return std::nullopt;
-  exact_wall wall;
-  wall.free_form = fitted;
-  return wall;
+  auto exact = find_exact(mesh_, facets);
+  return exact ? exact : fit_free_form(corners_of(mesh_, facets), near_);
 }
 
 double wall_places::off(surface_id id, vec3 p) {

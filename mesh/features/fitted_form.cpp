@@ -166,7 +166,7 @@ vec3 fitted_form::normal_at(const patch_point& where) const {
   const auto& t = facets_.triangles[where.triangle];
   vec3 normal;
   for (int i = 0; i < 3; ++i)
-    normal += where.share[i] * (directions_.at(t[i]).value_or(directions_.mean_at(t[i])));
+    normal += where.share[i] * directions_.at(t[i]).value_or(directions_.mean_at(t[i]));
   return normalized(normal);
 }
 
@@ -210,6 +210,13 @@ vec3 fitted_form::flat_at(const patch_point& where) const {
   for (int i = 0; i < 3; ++i)
     result += where.share[i] * facets_.points[t[i]];
   return result;
+}
+
+std::optional<exact_wall> fit_free_form(const facet_corners& facets,
+                                        const std::optional<box>& near) {
+  exact_wall wall;
+  wall.free_form = near ? fitted_form::near(facets, *near) : fitted_form::through(facets);
+  return wall.free_form ? std::optional(wall) : std::nullopt;
 }
 
 }  // namespace tedit

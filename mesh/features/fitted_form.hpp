@@ -8,6 +8,7 @@
 #include "mesh/box.hpp"
 #include "mesh/box_tree.hpp"
 #include "mesh/features/corner_directions.hpp"
+#include "mesh/features/exact_wall.hpp"
 #include "mesh/surface_foot.hpp"
 
 namespace tedit {
@@ -68,5 +69,10 @@ private:
   corner_directions directions_;
   std::optional<box_tree> tree_;
 };
+
+/// A fitted form as the wall behind its facets: of all of them, or near a box. Nothing where there
+/// is no such form. Cost: that of `through` or `near`.
+[[nodiscard]] std::optional<exact_wall> fit_free_form(const facet_corners& facets,
+                                                      const std::optional<box>& near = {});
 
 }  // namespace tedit

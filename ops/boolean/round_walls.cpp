@@ -85,9 +85,9 @@ const round_walls::wall& round_walls::of_part(surface_id id) {
     add(row->second, corners, known_wall(part_, facets, corners), true);
     // Beside walls that a CAD model has, others keep their facets: a guess would bind these, too.
     if (row->second.free_form && !has_geometries(part_))
-      if (auto fitted = fitted_form::near(corners, near_)) {
+      if (auto fitted = fit_free_form(corners, near_)) {
         row->second.free_form = false;
-        row->second.round.emplace_back().free_form = std::move(fitted);
+        row->second.round.push_back(std::move(*fitted));
       }
     for (std::size_t face = 0; face < continues_.size(); ++face)
       if (continues_[face] == id) {

@@ -314,12 +314,7 @@ private:
           near_->add(p);
       *near_ = near_->grown(std::abs(distance_));
     }
-    const auto fitted = fitted_form::near(facets, *near_);
-    if (!fitted)
-      return std::nullopt;
-    exact_wall wall;
-    wall.free_form = fitted;
-    return wall;
+    return fit_free_form(facets, near_);
   }
 
   /// Would all tets around stay as good as they must, and the boundary clear of itself?
