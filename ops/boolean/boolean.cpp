@@ -46,6 +46,9 @@ constexpr std::size_t many_tets = 30'000;
 constexpr std::size_t hopeless_tries = 3;
 constexpr double hopeless = 0.02;
 
+/// Where the CAD model has the round walls, vertices are put on them in so many of the ways.
+constexpr std::size_t ways_onto_walls = 2;
+
 class tool_boolean {
 public:
   tool_boolean(const version_ptr& mesh, const tool_surface& tool,
@@ -81,7 +84,9 @@ public:
     // Somebody waits: a large tool is tried fewer times. Not by the clock: the same edit gives the
     // same version everywhere.
     const bool is_large = flush_.tool.triangles.size() > many_triangles;
-    const std::size_t tries = is_rounder() ? 1 : is_large ? 2 : boolean_ways.size();
+    const std::size_t tries = is_rounder() ? (knows_walls() ? ways_onto_walls : 1)
+                              : is_large   ? 2
+                                           : boolean_ways.size();
     std::optional<boolean_result> best;
     std::optional<error> last;
     for (std::size_t i = 0; i < tries; ++i) {
@@ -94,18 +99,16 @@ public:
         last = made.error();
         if (last->code == ec::cancelled)
           return fail(*last);
-        if (last->code != ec::mesher_failed)
+        if (last->code != ec::mesher_failed || (walls_only_ && i + 1 >= ways_onto_walls))
           break;
         continue;
       }
-      if (!best || is_better(*made, *best)) {
+      if (!best || (walls_only_ ? is_good(*made) : is_better(*made, *best))) {
         best = std::move(*made);
         on_chords_ = last_on_chords_;
         put_on_ = last_put_on_;
       }
-      // Once it is good only ways that stay where they should may be better.
-      if (is_good(*best) && (is_exact(best->deviation) || i + 1 == tries ||
-                             boolean_ways[i + 1].clean.off_plane > exact_of_size))
+      if (is_done(*best, i + 1, tries))
         break;
       // What is as flat as this after several tries does not come right.
       if (i + 1 >= hopeless_tries &&
@@ -170,6 +173,24 @@ private:
   }
 
   [[nodiscard]] bool is_rounder() const { return part_ != mesh_; }
+
+  /// Does the CAD model have all round walls near the tool?
+  bool knows_walls() {
+    if (!are_walls_known_)
+      are_walls_known_ = walls_ && walls_->are_known(near_);
+    return *are_walls_known_;
+  }
+
+  /// Once it is good only ways that stay where they should may be better; with vertices on chords,
+  /// those that put them on their walls.
+  bool is_done(const boolean_result& best, std::size_t tried, std::size_t tries) {
+    if (!is_good(best) || (!is_exact(best.deviation) && tried < tries &&
+                           boolean_ways[tried].clean.off_plane <= exact_of_size))
+      return false;
+    walls_only_ =
+      on_chords_ && has_places_ && tried < std::min(tries, ways_onto_walls) && knows_walls();
+    return !walls_only_;
+  }
 
   [[nodiscard]] cavity_finder make_finder() const {
     std::vector<surface_id> moved;
@@ -245,7 +266,7 @@ private:
     const auto deviation = clean(surface, settings, run);
     // Bonded regions are cut each for itself, and share their interfaces to the last digit.
     on_walls round;
-    if (walls_ && !no_good_on_walls_ && (*opened)->hollow.shares.size() == 1) {
+    if (walls_ && (walls_only_ || !no_good_on_walls_) && (*opened)->hollow.shares.size() == 1) {
       if (deviation)
         round = filled_on_walls(**opened, surface, *deviation, run);
       if (!round.made || !*round.made || !is_good(**round.made))
@@ -280,7 +301,8 @@ private:
   /// With new vertices on the round walls, where they fit there.
   on_walls filled_on_walls(const cut_cavity& opened, const labelled_surface& surface,
                            double deviation, const execution& run) {
-    const auto [round, wanted] = put_on_round_walls(surface, *walls_);
+    const auto [round, wanted, found] = put_on_round_walls(surface, *walls_);
+    has_places_ &= found;
     last_put_on_ = 0;
     if (round && may_put_on(round->volume_change, opened)) {
       last_put_on_ = round->volume_change;
@@ -303,7 +325,7 @@ private:
     const auto deviation = clean(surface, settings, run);
     if (!deviation || !is_exact(*deviation))
       return std::nullopt;
-    auto [round, wanted] = put_on_round_walls(surface, *walls_);
+    auto [round, wanted, found] = put_on_round_walls(surface, *walls_);
     if (round)
       surface = std::move(round->surface);
     const double put_on = surface.mesh.volume() - before;
@@ -326,8 +348,8 @@ private:
     if (made && (is_rounder() || !round.wanted ||
                  (*made ? is_good(**made) : made->error().code != ec::mesher_failed)))
       return std::move(*made);
-    // Made rounder for that: the part as it was has been filled with vertices on chords already.
-    if (round.wanted && is_rounder())
+    // Made for that alone: the part as it was has been filled with vertices on chords already.
+    if (round.wanted && (is_rounder() || walls_only_))
       return fail(ec::mesher_failed, "its new vertices do not fit on their walls");
     // Where it does not come out once it does not in other ways: each would be meshed twice.
     no_good_on_walls_ |= made.has_value();
@@ -393,9 +415,7 @@ private:
   /// May new vertices on their walls change the part by that volume, m^3? Where the CAD model has
   /// all round walls there, by any: it is no guess that they are the part.
   [[nodiscard]] bool may_put_on(double volume, const cut_cavity& opened) {
-    if (!are_walls_known_)
-      are_walls_known_ = walls_->are_known(near_);
-    return *are_walls_known_ || is_small(volume, *mesh_, flush_.tool, opened);
+    return knows_walls() || is_small(volume, *mesh_, flush_.tool, opened);
   }
 
   const version_ptr part_;
@@ -410,6 +430,8 @@ private:
   flush_tool flush_;
   std::optional<round_walls> walls_;
   bool no_good_on_walls_ = false;  ///< No good tets came out of it.
+  bool has_places_ = true;         ///< Each new vertex is somewhere on all of its walls.
+  bool walls_only_ = false;        ///< It is good on chords already.
   bool last_on_chords_ = false;    ///< Of the last try: see `on_chords`.
   bool on_chords_ = false;
   double last_put_on_ = 0;  ///< Of the last try: see `put_on`.

@@ -49,6 +49,8 @@ public:
 
   /// Nothing has to move.
   [[nodiscard]] bool is_on_walls() const { return is_on_walls_; }
+  /// Each vertex has a place on all of its walls.
+  [[nodiscard]] bool has_places() const { return all_found_; }
 
   std::optional<double> put() {
     for (const auto& v : mesh_.vertices)
@@ -89,9 +91,11 @@ private:
         seen.push_back(face.label);
         continue;
       }
-      // A facet whose corners are a little off its plane is no part of that.
+      // A facet whose corners are a little off its plane is no part of that. The tool's are what
+      // was asked for: where one nearly touches a round wall it does not run on as that.
       const wall_demand own{nullptr, wall.plane ? wall.plane->point : was_[v],
-                            wall.plane ? wall.plane->axis : face.normal, wall.free_form};
+                            wall.plane ? wall.plane->axis : face.normal,
+                            wall.free_form && !labels_.is_tool(face.label)};
       if (std::ranges::none_of(demands, [&](const wall_demand& d) {
             return !d.wall && std::abs(dot(d.normal, own.normal)) > one_plane_cosine;
           }))
@@ -436,9 +440,9 @@ put_on_outcome put_on_round_walls(const labelled_surface& surface, round_walls& 
   wall_putter putter(result.surface, walls);
   const auto change = putter.put();
   if (!change)
-    return {std::nullopt, !putter.is_on_walls()};
+    return {std::nullopt, !putter.is_on_walls(), putter.has_places()};
   result.volume_change = *change;
-  return {std::move(result), true};
+  return {std::move(result), true, true};
 }
 
 }  // namespace tedit::ops

@@ -14,7 +14,8 @@ struct rounded_surface {
 /// What came of putting them on.
 struct put_on_outcome {
   std::optional<rounded_surface> made;
-  bool wanted = false;  ///< Vertices lie on chords: nothing made is then a failure.
+  bool wanted = false;     ///< Vertices lie on chords: nothing made is then a failure.
+  bool has_places = true;  ///< Each vertex has a place on all of its walls.
 };
 
 /// The last step before the mesher: new vertices that lie on the chords of round walls go onto the
