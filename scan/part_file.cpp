@@ -2,6 +2,7 @@
 #include "scan/part_file.hpp"
 
 #include "base/stopwatch.hpp"
+#include "base/text.hpp"
 #include "cad/file_kind.hpp"
 #include "cad/repair.hpp"
 #include "scan/file_kind.hpp"
@@ -43,6 +44,18 @@ expected<read_file_part> read_surface(const part_file_request& request, const st
     });
 }
 
+/// Of the longest edge: by more than this share a surface is not moved without a word.
+constexpr double much_moved = 0.01;
+
+void tell_how_far_it_moved(cad::imported_part& part) {
+  const auto& report = part.report;
+  if (report.moved_mm > much_moved * report.size_mm)
+    part.warnings.push_back(
+      "flat tets at narrow places were mended: the surface moved there by up to " +
+      format_number("%.3g", report.moved_mm) +
+      " mm. A finer size, or a local size of the surfaces there, keeps it");
+}
+
 }  // namespace
 
 expected<file_part> import_part_file(const part_file_request& request, const execution& run) {
@@ -58,6 +71,8 @@ expected<file_part> import_part_file(const part_file_request& request, const exe
   made.repair_ms = clock.milliseconds();
   if (read->surface)
     made.deviation_m = deviation_of(*made.part.version, *read->surface);
+  else
+    tell_how_far_it_moved(made.part);
   return made;
 }
 

@@ -128,6 +128,10 @@ std::string last_word_of_gmsh() {
   return words.empty() ? "it did not say why" : words;
 }
 
+double moved_by_mending(surface_mesh surface, double wall_mm) {
+  return clean(surface, 0, wall_mm).moved_mm;
+}
+
 mesh_report fill_mended(const surface_mesh& as_made, double size_mm, double wall_mm, int faces,
                         const filler& fill, const teller& tells) {
   tells.stage(0.4, "collapsing short edges");

@@ -38,6 +38,9 @@ void begin_gmsh();
 /// How a surface is filled: false where it cannot be.
 using filler = std::function<bool(const surface_mesh&)>;
 
+/// mm: how far, at most, `fill_mended` would move the surface. Cost: that of mending it.
+[[nodiscard]] double moved_by_mending(surface_mesh surface, double wall_mm);
+
 /// Mends what a mesher of volumes makes flat tets on and fills the rest; where that fails, fills
 /// the surface as it was. `size_mm`: the longest edge that was asked for; `wall_mm`: the thinnest
 /// mean wall; `faces`: how many there are. Refuses where neither can be filled.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <set>
 
 #include <gmsh.h>
@@ -16,6 +17,11 @@ namespace tedit::cad {
 namespace {
 
 constexpr double frontal_2d = 6;
+/// Of the longest edge: a strip of a face that is narrower than the first and wider than the second
+/// may get edges of its own. With more such places none does: the mesh would be no coarse one.
+constexpr double widest_narrow = 0.07;
+constexpr double thinnest_narrow = 0.02;
+constexpr std::size_t most_narrow_places = 60;
 
 bool is_same(double a, double b) {
   return std::abs(a - b) <= 1e-3 * std::max(std::abs(a), std::abs(b)) + 1e-9;
@@ -107,15 +113,40 @@ void gmsh_part::set_local_sizes(const std::map<int, double>& local) {
       if (const auto [row, fresh] = of_curves.emplace(std::abs(curve), mm); !fresh)
         row->second = std::min(row->second, mm);
   }
-  if (local.empty())
+  if (local.empty() && narrow_.all.empty())
     return;
   gmsh::option::setNumber("Mesh.MeshSizeMin", std::min(least_mm_, least_local_mm_));
   gmsh::model::mesh::setSizeCallback(
-    [of_curves, local, most = size_mm_](int dimension, int tag, double, double, double) {
+    [of_curves, local, this](int dimension, int tag, double x, double y, double z) {
       const auto& sizes = dimension == 1 ? of_curves : local;
       const auto found = dimension == 1 || dimension == 2 ? sizes.find(tag) : sizes.end();
-      return found == sizes.end() ? most : found->second;
+      return std::min(found == sizes.end() ? size_mm_ : found->second, narrow_.size_at({x, y, z}));
     });
+}
+
+/// Meshes curves and faces at narrow places anew, and before the others: there alone edges may be
+/// shorter than anywhere else.
+void gmsh_part::mesh_narrow_faces() {
+  const auto set = [](const char* option, double value) { gmsh::option::setNumber(option, value); };
+  set("Mesh.MeshSizeMin", std::min({least_mm_, least_local_mm_, narrow_.all.front().size}));
+  set("Mesh.MeshOnlyEmpty", 1);
+  gmsh::vectorpair faces;
+  gmsh::model::getEntities(faces, 2);
+  gmsh::model::mesh::clear(faces);
+  gmsh::vectorpair curves;
+  for (const int curve : narrow_.curves)
+    curves.emplace_back(1, curve);
+  gmsh::model::mesh::clear(curves);
+  gmsh::model::mesh::generate(1);
+  gmsh::vectorpair others;
+  std::ranges::copy_if(faces, std::back_inserter(others),
+                       [&](const auto& face) { return !narrow_.faces.contains(face.second); });
+  set("Mesh.MeshOnlyVisible", 1);
+  gmsh::model::setVisibility(others, 0);
+  gmsh::model::mesh::generate(2);
+  gmsh::model::setVisibility(others, 1);
+  set("Mesh.MeshOnlyVisible", 0);
+  set("Mesh.MeshSizeMin", std::min(least_mm_, least_local_mm_));
 }
 
 std::string gmsh_part::surface_words(int tag) const {
@@ -130,6 +161,23 @@ surface_mesh gmsh_part::mesh_faces(const fineness& size, const std::map<int, dou
   gmsh::model::mesh::generate(1);
   tells_.stage(0.2, "meshing the surfaces");
   gmsh::model::mesh::generate(2);
+  return meshed_faces();
+}
+
+std::optional<surface_mesh> gmsh_part::mesh_faces_finer_where_narrow(
+  const std::map<int, double>& local) {
+  narrow_ =
+    find_narrow_places(widest_narrow * size_mm_, thinnest_narrow * size_mm_, most_narrow_places);
+  if (narrow_.all.empty())
+    return std::nullopt;
+  tells_.stage(0.3, "meshing narrow strips of surfaces anew");
+  set_local_sizes(local);
+  mesh_narrow_faces();
+  gmsh::model::mesh::generate(2);
+  return meshed_faces();
+}
+
+surface_mesh gmsh_part::meshed_faces() const {
   const nodes_of_mesh nodes;
   surface_mesh mesh;
   for (std::size_t i = 0; i < nodes.at.size(); i += 3)

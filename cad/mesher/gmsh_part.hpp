@@ -5,11 +5,13 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "cad/exchange.hpp"
 #include "cad/mesher/filling.hpp"
+#include "cad/mesher/narrow_places.hpp"
 #include "cad/mesher/surface_mesh.hpp"
 #include "cad/teller.hpp"
 
@@ -26,6 +28,11 @@ public:
   /// neighbours edges grow.
   [[nodiscard]] surface_mesh mesh_faces(const fineness& size, const std::map<int, double>& local);
 
+  /// The same again with short edges in narrow strips of the faces, as between a hole and the edge
+  /// of its wall. Nothing where there are none, or many. Call it after `mesh_faces`.
+  [[nodiscard]] std::optional<surface_mesh> mesh_faces_finer_where_narrow(
+    const std::map<int, double>& local);
+
   /// Fills the solids within `faces` with tets and writes all; whether it could.
   [[nodiscard]] bool fill(const surface_mesh& faces);
 
@@ -39,6 +46,8 @@ private:
   void check() const;
   void set_sizes(const fineness& size);
   void set_local_sizes(const std::map<int, double>& local);
+  void mesh_narrow_faces();
+  [[nodiscard]] surface_mesh meshed_faces() const;
   [[nodiscard]] std::string surface_words(int tag) const;
 
   const program_call& call_;
@@ -49,6 +58,7 @@ private:
   double wall_mm_ = 0;
   double least_mm_ = 0;  ///< Of all edges that are asked for.
   double least_local_mm_ = HUGE_VAL;
+  narrow_places narrow_;
 };
 
 }  // namespace tedit::cad

@@ -10,6 +10,7 @@
 #include <map>
 #include <new>
 #include <sstream>
+#include <utility>
 
 #include "cad/mesher/gmsh_part.hpp"
 
@@ -31,6 +32,23 @@ std::map<int, double> local_sizes_of(const std::string& text) {
   return result;
 }
 
+/// What mending moves is worth another mesh where that is more than this share of the longest edge,
+/// and the other one is better where it is less by this factor.
+constexpr double much_moved = 0.01;
+constexpr double less_moved = 0.5;
+
+/// Narrow strips that mending would close get short edges, where that keeps them.
+surface_mesh mesh_faces(gmsh_part& part, const fineness& size, const std::map<int, double>& local) {
+  auto made = part.mesh_faces(size, local);  // Which finds the sizes.
+  const double moved = moved_by_mending(made, part.least_length());
+  if (moved <= much_moved * part.size())
+    return made;
+  auto finer = part.mesh_faces_finer_where_narrow(local);
+  const bool is_better =
+    finer && moved_by_mending(*finer, part.least_length()) <= less_moved * moved;
+  return is_better ? std::move(*finer) : std::move(made);
+}
+
 void mesh(const program_call& call, const std::string& size, const std::string& local,
           const teller& tells) {
   tells.stage(0.02, "loading the shape into Gmsh");
@@ -38,8 +56,7 @@ void mesh(const program_call& call, const std::string& size, const std::string& 
   if (!facts)
     tells.refuse(facts.error());
   gmsh_part part(call, *facts, tells);
-  const auto as_made =
-    part.mesh_faces(fineness_of(size), local_sizes_of(local));  // Which finds the sizes.
+  const auto as_made = mesh_faces(part, fineness_of(size), local_sizes_of(local));
   const auto report = fill_mended(
     as_made, part.size(), part.least_length(), static_cast<int>(facts->faces.size()),
     [&](const surface_mesh& faces) { return part.fill(faces); }, tells);

@@ -181,8 +181,7 @@ private:
     return *are_walls_known_;
   }
 
-  /// Once it is good only ways that stay where they should may be better; with vertices on chords,
-  /// those that put them on their walls.
+  /// Once it is good only ways that keep to planes may be better, or those that leave no chords.
   bool is_done(const boolean_result& best, std::size_t tried, std::size_t tries) {
     if (!is_good(best) || (!is_exact(best.deviation) && tried < tries &&
                            boolean_ways[tried].clean.off_plane <= exact_of_size))

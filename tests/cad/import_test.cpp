@@ -234,6 +234,33 @@ TEST(ImportedPart, LosesAFaceThatIsTooNarrowAndNamesIt) {
   EXPECT_NEAR(part["volume_m3"].get<double>(), 6e-6, 6e-6 * 1e-3);
 }
 
+/// A block of 60 x 40 x 30 mm with a slot of 10 x 4 x 5 mm in its top, and a hole of 3.2 mm across
+/// the slot, 0.3 mm above its floor.
+TEST(ImportedPart, KeepsTheNarrowStripBetweenAHoleAndAnEdge) {
+  TEDIT_NEEDS_CAD();
+  const auto part = import_part(cad_parts + "narrow_strip.brep --size coarse");
+
+  EXPECT_LT(part["surface_moved_m"].get<double>(), 1e-6);
+  EXPECT_TRUE(part["warnings"].empty()) << part["warnings"];
+  const double slot = 10 * 4 * 5;
+  const double hole = std::numbers::pi * 1.6 * 1.6 * (7 - 4);
+  // The hole is a polygon.
+  EXPECT_NEAR(part["volume_m3"].get<double>() * 1e9, 60 * 40 * 30 - slot - hole, 0.2 * hole);
+  EXPECT_GT(part["radius_ratio"]["min"].get<double>(), 0.05);
+}
+
+/// The same with 0.05 mm between them, which a coarse mesh cannot have: that is said.
+TEST(ImportedPart, SaysWhereItsSurfaceMovedFar) {
+  TEDIT_NEEDS_CAD();
+  const auto part = import_part(cad_parts + "thin_strip.brep --size coarse");
+
+  const double moved_mm = 1e3 * part["surface_moved_m"].get<double>();
+  EXPECT_GT(moved_mm, 0.05);
+  ASSERT_EQ(part["warnings"].size(), 1U);
+  EXPECT_THAT(part["warnings"][0].get<std::string>(),
+              HasSubstr("the surface moved there by up to"));
+}
+
 TEST(ImportedPart, IsEditedAndKeepsItsNames) {
   TEDIT_NEEDS_CAD();
   const auto mesh = scratch("block.msh").string();
