@@ -30,5 +30,14 @@ TEST_F(ReplayFork, ASlabEndsAtTheEdgesBeyondANeighbour) {
   EXPECT_EQ(way_of(24), "slab by edges beyond");
 }
 
+/// A wall of a letter nearly touches the fillet beside its wall: it is a plane, and no part of
+/// that.
+TEST_F(ReplayFork, LettersThatNearlyTouchAFilletStayAsTheyAre) {
+  const edit_request letters{
+    "emboss", {55}, {{"text", std::string("A8")}, {"size", 0.001125}, {"height", 0.00016875}}, {}};
+  const auto result = replay(letters, edit(letters));
+  EXPECT_TRUE(result.verdict.is_same) << result.verdict.reason;
+}
+
 }  // namespace
 }  // namespace tedit::test

@@ -64,6 +64,18 @@ protected:
   /// The block with a coarse bore: its wall has twelve facets.
   version_ptr bored() { return made(block_, rod(bore_, 3, 12)).candidate; }
 
+  /// The block, which says of its top what it is.
+  version_ptr block_with_a_known_top() {
+    mesh_builder named(block_);
+    const auto top =
+      named.add_surface("top of it", {surface_geometry::kind::plane, {0, 0, 1}, {0, 0, 1}});
+    for (facet_id f = 0; f < block_->facet_slots(); ++f)
+      if (std::ranges::all_of(block_->facet(f).v,
+                              [&](vertex_id v) { return block_->position(v).z == 1; }))
+        named.set_surface(f, top);
+    return named.freeze();
+  }
+
   /// How far corners of the facets of these walls are off them at most, m.
   static double furthest_off(const mesh_version& mesh, const std::vector<by_hand>& walls) {
     double most = 0;
@@ -216,15 +228,8 @@ TEST_F(VerticesOnWalls, AToolOfFewFacetsThatSaysWhatItIsHasItsVerticesOnThat) {
   tool.geometries.resize(tool.names.size());
   const auto face = std::ranges::find(tool.names, "bore") - tool.names.begin();
   tool.geometries[static_cast<std::size_t>(face)] = cylinder;
-  // The block, which says that its top is one.
-  mesh_builder named(block_);
-  const auto top =
-    named.add_surface("top of it", {surface_geometry::kind::plane, {0, 0, 1}, {0, 0, 1}});
-  for (facet_id f = 0; f < block_->facet_slots(); ++f)
-    if (std::ranges::all_of(block_->facet(f).v,
-                            [&](vertex_id v) { return block_->position(v).z == 1; }))
-      named.set_surface(f, top);
-  const auto block = named.freeze();
+  const auto block = block_with_a_known_top();
+  const auto top = std::ranges::find(block->surfaces(), "top of it", &surface_info::name)->id;
 
   const auto cut = made(block, tool);
   const auto as_polygon = made(block, rod(bore_, 3, 6));
@@ -237,6 +242,32 @@ TEST_F(VerticesOnWalls, AToolOfFewFacetsThatSaysWhatItIsHasItsVerticesOnThat) {
   EXPECT_EQ(row->geometry, cylinder);
   EXPECT_EQ(find_geometry(after, row->id), cylinder);
   EXPECT_EQ(after.find_surface(top)->geometry.type, surface_geometry::kind::plane);
+}
+
+/// Of holes anywhere across a bore of eight facets, in a part that says what its walls are: those
+/// that came out on chords (.2 (1 - cos 22.5 degrees) = .0152 off it) where one way was tried.
+TEST_F(VerticesOnWalls, WhereOneWayDoesNotGetThemOntoAKnownWallAnotherIsTried) {
+  auto tool = rod(bore_, 3, 8);
+  tool.geometries.resize(tool.names.size());
+  for (std::size_t face = 0; face < tool.names.size(); ++face)
+    if (tool.names[face] == "bore")
+      tool.geometries[face] = {surface_geometry::kind::cylinder, bore_.point, bore_.axis,
+                               bore_.radius};
+  const auto part = made(block_with_a_known_top(), tool).candidate;
+  int on_both = 0;
+  for (const int i : {15, 37, 91, 123, 124}) {
+    SCOPED_TRACE(i);
+    const double turn = 0.37 * i;
+    const vec3 way = normalized({std::cos(turn), std::sin(turn), 0.02 * (i % 11)});
+    const by_hand across{
+      "across", {0.5 + 0.003 * (i % 17), 0.5 + 0.002 * (i % 23), 0.47}, way, 0.05 + 0.0009 * i};
+
+    const auto cut = made(part, rod(across, 3, 24));
+
+    // To within what is left to settle after a boolean.
+    on_both += furthest_off(*cut.candidate, {bore_, across}) < 1e-3;
+  }
+  EXPECT_GE(on_both, 4);
 }
 
 TEST_F(VerticesOnWalls, AHoleInAFilletHasItsVerticesOnTheTorus) {
