@@ -87,6 +87,39 @@ TEST_F(Move, ATiltedHoleGoesOnAlongItsAxis) {
   EXPECT_NEAR(highest, 0.3, 1e-9);
 }
 
+/// A countersink of 45 degrees, brought below a block: the cone ends where it did, and a wall of
+/// its own goes on to the block's top.
+TEST_F(Move, ACountersinkStaysAConeWhereThePartIsThicker) {
+  const auto sunk = combined(plate_,
+                             revolve(make_frame({0.25, 0.5, 0.2}, {0, 0, 1}),
+                                     {{0, 0.1, ""},
+                                      {0.2, 0.1, "top"},
+                                      {0.06, -0.04, "sink"},
+                                      {0.06, -0.4, "bore"},
+                                      {0, -0.4, "bottom"}},
+                                     24, 0.04),
+                             boolean_mode::cut);
+  const auto mesh = with_boss(sunk, {0.5, 0.25, 0.2}, {0.9, 0.75, 0.3});
+
+  const auto result = moved(mesh, surface_named(*mesh, "sink"), {0.45, 0, 0});
+
+  ASSERT_TRUE(result) << render(result.error());
+  expect_good(mesh, *result);
+  const auto& after = *result->candidate;
+  const auto off_axis = [&](vertex_id v) {
+    return norm(after.position(v) - vec3{0.7, 0.5, after.position(v).z});
+  };
+  const double chord = 1 - std::cos(std::numbers::pi / 24);
+  for (const auto f : facets_of(after, std::array{surface_named(after, "sink")}))
+    for (const auto v : after.facet(f).v) {
+      EXPECT_LT(after.position(v).z, 0.2 + 1e-9);
+      EXPECT_NEAR(off_axis(v), after.position(v).z - 0.1, 0.1 * chord + 1e-9);
+    }
+  for (const auto f : facets_of(after, std::array{surface_named(after, "straight on")}))
+    for (const auto v : after.facet(f).v)
+      EXPECT_NEAR(off_axis(v), 0.1, 0.1 * chord + 1e-9);
+}
+
 TEST_F(Move, ABossMovesWithItsNumbers) {
   const auto mesh = with_boss(plate_, {0.15, 0.35, 0.2}, {0.35, 0.65, 0.3});
   const auto top = surface_named(*mesh, "boss top");

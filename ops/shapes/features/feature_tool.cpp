@@ -2,6 +2,7 @@
 #include "ops/shapes/features/feature_tool.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
@@ -94,6 +95,17 @@ std::map<std::array<std::uint32_t, 2>, std::uint32_t> wall_edges(const tool_surf
   return result;
 }
 
+/// Is a wall the same shape past a lid, straight on that way? What is of no known shape may be.
+bool runs_on(const surface_geometry& wall, vec3 way) {
+  constexpr double askew = 1e-4;
+  using kind = surface_geometry::kind;
+  if (wall.type == kind::plane)
+    return std::abs(dot(wall.axis, way)) < askew;
+  if (wall.type == kind::cylinder)
+    return norm(cross(wall.axis, way)) < askew;
+  return wall.type == kind::none;
+}
+
 /// `shapes`: what the faces stand for.
 void find_ways(feature_tool& feature, const std::vector<surface_geometry>& shapes) {
   const auto walls = wall_edges(feature.tool);
@@ -108,7 +120,24 @@ void find_ways(feature_tool& feature, const std::vector<surface_geometry>& shape
     for (const auto& edge : lid.rim)
       rim.push_back({feature.tool.points[edge[0]], feature.tool.points[edge[1]]});
     lid.way = way_past_lid(around, lid.normal, rim);
+    for (const auto& edge : lid.rim)
+      lid.runs_on.push_back(runs_on(shapes[walls.at({edge[1], edge[0]})], lid.way));
   }
+}
+
+/// Where walls are something else past a lid, what goes on straight there is a face of its own: the
+/// last but one.
+void add_face_past_lids(feature_tool& feature, std::vector<surface_geometry>& shapes) {
+  if (std::ranges::all_of(feature.lids, [](const lid& one) {
+        return std::ranges::find(one.runs_on, false) == one.runs_on.end();
+      }))
+    return;
+  auto& tool = feature.tool;
+  const auto lid_face = static_cast<std::uint32_t>(tool.names.size() - 1);
+  std::ranges::replace(tool.faces, lid_face, lid_face + 1);
+  tool.names.insert(tool.names.end() - 1, "straight on");
+  feature.surfaces.insert(feature.surfaces.end() - 1, std::nullopt);
+  shapes.insert(shapes.end() - 1, surface_geometry());
 }
 
 expected<feature_tool> close_feature(const mesh_version& mesh, const shell& part, boolean_mode mode,
@@ -145,6 +174,7 @@ expected<feature_tool> close_feature(const mesh_version& mesh, const shell& part
       std::swap(t[1], t[2]);
   result.lids = lids_of(result.tool, plug->shell_triangles);
   find_ways(result, shapes);
+  add_face_past_lids(result, shapes);
   if (has_geometries(mesh))
     result.tool.geometries = std::move(shapes);
   return result;
@@ -190,7 +220,7 @@ double layer_on(const mesh_version& mesh, const feature_tool& feature, const too
   return gap > lid_rules::on_surface * size ? gap + lid_rules::into_part * size : 0;
 }
 
-/// Lifts the lid by `step`; the walls go on up to it.
+/// Lifts the lid by `step`. Walls go on up to it, where they are the same there.
 void raise(tool_surface& tool, const lid& one, vec3 step, bool mirrored) {
   const auto walls = wall_edges(tool);
   std::map<std::uint32_t, std::uint32_t> raised;
@@ -204,12 +234,13 @@ void raise(tool_surface& tool, const lid& one, vec3 step, bool mirrored) {
     if (tool.faces[i] == lid_face && own.contains(tool.triangles[i][0]))
       for (auto& v : tool.triangles[i])
         v = raised.at(v);
-  for (auto [a, b] : one.rim) {
+  for (std::size_t i = 0; i < one.rim.size(); ++i) {
+    auto [a, b] = one.rim[i];
     if (mirrored)
       std::swap(a, b);
     tool.triangles.push_back({a, b, raised.at(b)});
     tool.triangles.push_back({a, raised.at(b), raised.at(a)});
-    tool.faces.insert(tool.faces.end(), 2, walls.at({b, a}));
+    tool.faces.insert(tool.faces.end(), 2, one.runs_on[i] ? walls.at({b, a}) : lid_face - 1);
   }
 }
 

@@ -15,8 +15,9 @@ struct lid {
   std::vector<std::uint32_t> points;  ///< Of the tool, ascending.
   /// Its outer edges, as its triangles have them.
   std::vector<std::array<std::uint32_t, 2>> rim;
-  vec3 normal;  ///< Unit, out of the tool.
-  vec3 way;     ///< Unit: which way the walls go on, where they all go one way; else the normal.
+  std::vector<bool> runs_on;  ///< Of each: past it its wall is still what it is, as a cone is not.
+  vec3 normal;                ///< Unit, out of the tool.
+  vec3 way;  ///< Unit: which way the walls go on, where they all go one way; else the normal.
 };
 
 /// A hole or a boss as a shape of its own, with the triangles that the part has there.
