@@ -101,7 +101,8 @@ TEST_F(Move, ACountersinkStaysAConeWhereThePartIsThicker) {
                              boolean_mode::cut);
   const auto mesh = with_boss(sunk, {0.5, 0.25, 0.2}, {0.9, 0.75, 0.3});
 
-  const auto result = moved(mesh, surface_named(*mesh, "sink"), {0.45, 0, 0});
+  const auto result = move_features(
+    mesh, {surface_named(*mesh, "sink"), surface_named(*mesh, "bore")}, {0.45, 0, 0}, false, ctx_);
 
   ASSERT_TRUE(result) << render(result.error());
   expect_good(mesh, *result);
