@@ -132,26 +132,28 @@ double moved_by_mending(surface_mesh surface, double wall_mm) {
   return clean(surface, 0, wall_mm).moved_mm;
 }
 
-mesh_report fill_mended(const surface_mesh& as_made, double size_mm, double wall_mm, int faces,
-                        const filler& fill, const teller& tells) {
-  tells.stage(0.4, "collapsing short edges");
-  auto surface = as_made;
-  auto report = clean(surface, size_mm, wall_mm);
-  tells.stage(0.45, "filling the solids with tets");
-  if (!fill(surface)) {
-    tells.stage(0.6, "filling the solids with tets once more, as the surface was");
-    report = {size_mm, 0, 0, 0, {}};
-    surface = as_made;
-    if (!fill(surface))
-      tells.refuse(
-        {ec::mesher_failed,
-         "Gmsh could not fill the part with tets",
-         "Mesh it coarser or finer; if neither works, check in the CAD program that no faces cut "
-         "each other",
-         {}});
+mesh_report fill_mended(std::span<const surface_mesh> ways, double size_mm, double wall_mm,
+                        int faces, const filler& fill, const teller& tells) {
+  const auto told = [&](const surface_mesh& surface, mesh_report report) {
+    tell_what_is_gone(surface, faces, report);
+    return report;
+  };
+  for (const auto& as_made : ways) {
+    tells.stage(0.4, "collapsing short edges");
+    auto surface = as_made;
+    const auto report = clean(surface, size_mm, wall_mm);
+    tells.stage(0.45, "filling the solids with tets");
+    if (fill(surface))
+      return told(surface, report);
   }
-  tell_what_is_gone(surface, faces, report);
-  return report;
+  tells.stage(0.6, "filling the solids with tets once more, as the surface was");
+  if (!fill(ways.back()))
+    tells.refuse({ec::mesher_failed,
+                  "Gmsh could not fill the part with tets",
+                  "Mesh it coarser or finer; if neither works, check in the CAD program that no "
+                  "faces cut each other",
+                  {}});
+  return told(ways.back(), {size_mm, 0, 0, 0, {}});
 }
 
 }  // namespace tedit::cad

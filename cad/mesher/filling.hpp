@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <string>
 
 #include "cad/exchange.hpp"
@@ -41,10 +42,12 @@ using filler = std::function<bool(const surface_mesh&)>;
 /// mm: how far, at most, `fill_mended` would move the surface. Cost: that of mending it.
 [[nodiscard]] double moved_by_mending(surface_mesh surface, double wall_mm);
 
-/// Mends what a mesher of volumes makes flat tets on and fills the rest; where that fails, fills
-/// the surface as it was. `size_mm`: the longest edge that was asked for; `wall_mm`: the thinnest
-/// mean wall; `faces`: how many there are. Refuses where neither can be filled.
-[[nodiscard]] mesh_report fill_mended(const surface_mesh& as_made, double size_mm, double wall_mm,
-                                      int faces, const filler& fill, const teller& tells);
+/// Mends what a mesher of volumes makes flat tets on and fills the rest: of one surface or several
+/// of the same part the first that can be filled; where none can, the last as it was.
+/// `size_mm`: the longest edge that was asked for; `wall_mm`: the thinnest mean wall; `faces`: how
+/// many there are. Refuses where none can be filled.
+[[nodiscard]] mesh_report fill_mended(std::span<const surface_mesh> ways, double size_mm,
+                                      double wall_mm, int faces, const filler& fill,
+                                      const teller& tells);
 
 }  // namespace tedit::cad

@@ -177,6 +177,11 @@ std::optional<surface_mesh> gmsh_part::mesh_faces_finer_where_narrow(
   return meshed_faces();
 }
 
+void gmsh_part::forget_narrow_places() {
+  narrow_ = {};
+  gmsh::option::setNumber("Mesh.MeshOnlyEmpty", 0);
+}
+
 surface_mesh gmsh_part::meshed_faces() const {
   const nodes_of_mesh nodes;
   surface_mesh mesh;

@@ -11,6 +11,7 @@
 #include <new>
 #include <sstream>
 #include <utility>
+#include <vector>
 
 #include "cad/mesher/gmsh_part.hpp"
 
@@ -37,16 +38,20 @@ std::map<int, double> local_sizes_of(const std::string& text) {
 constexpr double much_moved = 0.01;
 constexpr double less_moved = 0.5;
 
-/// Narrow strips that mending would close get short edges, where that keeps them.
-surface_mesh mesh_faces(gmsh_part& part, const fineness& size, const std::map<int, double>& local) {
-  auto made = part.mesh_faces(size, local);  // Which finds the sizes.
-  const double moved = moved_by_mending(made, part.least_length());
+/// Narrow strips that mending would close get short edges, where that keeps them: that comes first.
+std::vector<surface_mesh> mesh_faces(gmsh_part& part, const fineness& size,
+                                     const std::map<int, double>& local) {
+  std::vector<surface_mesh> ways;
+  ways.push_back(part.mesh_faces(size, local));  // Which finds the sizes.
+  const double moved = moved_by_mending(ways.back(), part.least_length());
   if (moved <= much_moved * part.size())
-    return made;
+    return ways;
   auto finer = part.mesh_faces_finer_where_narrow(local);
-  const bool is_better =
-    finer && moved_by_mending(*finer, part.least_length()) <= less_moved * moved;
-  return is_better ? std::move(*finer) : std::move(made);
+  if (finer && moved_by_mending(*finer, part.least_length()) <= less_moved * moved)
+    ways.insert(ways.begin(), std::move(*finer));
+  else
+    part.forget_narrow_places();
+  return ways;
 }
 
 void mesh(const program_call& call, const std::string& size, const std::string& local,

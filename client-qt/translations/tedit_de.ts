@@ -10765,6 +10765,10 @@
         <source>slab by edges beyond</source>
         <translation>Scheibe nach Kanten dahinter</translation>
     </message>
+    <message>
+        <source>straight on</source>
+        <translation>gerade weiter</translation>
+    </message>
 </context>
 <context>
     <name>server_lists</name>

@@ -37,7 +37,7 @@ void mesh(const cad::program_call& call, const std::string& size, const cad::tel
     *part, lengths, [&](double share) { tells.stage(0.05 + 0.35 * share, "meshing the surface"); });
   const auto around = faces_of_solids(*part);
   const auto report = cad::fill_mended(
-    made, lengths.longest, lengths.thinnest_wall, static_cast<int>(facts->faces.size()),
+    {&made, 1}, lengths.longest, lengths.thinnest_wall, static_cast<int>(facts->faces.size()),
     [&](const cad::surface_mesh& faces) { return cad::fill_solids(faces, around, call.folder); },
     tells);
   if (!cad::save_report(report, call.folder))
