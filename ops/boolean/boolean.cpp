@@ -18,6 +18,7 @@
 #include "ops/boolean/put_on_walls.hpp"
 #include "ops/boolean/remesh.hpp"
 #include "ops/boolean/rounder_part.hpp"
+#include "ops/boolean/rounder_tool.hpp"
 #include "ops/boolean/tets_in_box.hpp"
 #include "ops/boolean/ways.hpp"
 #include "ops/tools/local_size.hpp"
@@ -38,25 +39,16 @@ constexpr double near_share = 0.06;
 /// does; where the CAD model has the walls, any: their arcs are no guess.
 constexpr double most_by_walls = 0.5;
 
-/// Tools of more triangles are tried twice only, fillings of more tets are not mended besides.
-constexpr std::size_t many_triangles = 8000;
-constexpr std::size_t many_tets = 30'000;
-
-/// After so many tries a mesh that is worse than this share of what is taken ends them.
-constexpr std::size_t hopeless_tries = 3;
-constexpr double hopeless = 0.02;
-
-/// Where the CAD model has the round walls, vertices are put on them in so many of the ways.
-constexpr std::size_t ways_onto_walls = 2;
-
 class tool_boolean {
 public:
   tool_boolean(const version_ptr& mesh, const tool_surface& tool,
                const std::vector<std::optional<surface_id>>& continues,
                const boolean_request& request, const execution& run)
-      : tool_boolean(mesh, {mesh, false, {}}, tool, continues, request, run) {}
+      : tool_boolean(mesh, {mesh, false, {}}, tool, continues, request, run) {
+    is_rounder_ = false;
+  }
 
-  /// On the part made rounder: what comes out is compared with the part as it was.
+  /// On the part, or with the tool, made rounder.
   tool_boolean(const version_ptr& part, rounder_part rounder, const tool_surface& tool,
                const std::vector<std::optional<surface_id>>& continues,
                const boolean_request& request, const execution& run)
@@ -81,12 +73,11 @@ public:
     if (walls_ && has_geometries(*mesh_))
       flush_.tool.geometries = walls_->tool_geometries();
     const auto finder = make_finder();
-    // Somebody waits: a large tool is tried fewer times. Not by the clock: the same edit gives the
-    // same version everywhere.
+    // Somebody waits. Not by the clock: the same edit gives the same version everywhere.
     const bool is_large = flush_.tool.triangles.size() > many_triangles;
-    const std::size_t tries = is_rounder() ? (knows_walls() ? ways_onto_walls : 1)
-                              : is_large   ? 2
-                                           : boolean_ways.size();
+    const std::size_t tries = is_rounder_ ? (knows_walls() ? ways_onto_walls : 1)
+                              : is_large  ? 2
+                                          : boolean_ways.size();
     std::optional<boolean_result> best;
     std::optional<error> last;
     for (std::size_t i = 0; i < tries; ++i) {
@@ -144,6 +135,11 @@ public:
     return with_shorter_chords(mesh_, flush_.tool, near_, *walls_, size_, run_);
   }
 
+  /// And the tool, where it says of what walls its faces are.
+  std::optional<tool_surface> tool_with_shorter_chords(const tool_surface& tool) const {
+    return walls_ ? with_shorter_chords(tool, most_off_walls(tool, size_)) : std::nullopt;
+  }
+
   expected<boolean_result> draft() {
     const auto opened = cut_open(make_finder(), boolean_ways.front().rings, run_);
     if (!opened)
@@ -171,8 +167,6 @@ private:
   [[nodiscard]] double off_walls() const {
     return std::min(exact_of_size * size_, exact_of_part * part_size_);
   }
-
-  [[nodiscard]] bool is_rounder() const { return part_ != mesh_; }
 
   /// Does the CAD model have all round walls near the tool?
   bool knows_walls() {
@@ -344,11 +338,11 @@ private:
                                               const execution& run) {
     last_on_chords_ = false;
     auto& made = round.made;
-    if (made && (is_rounder() || !round.wanted ||
+    if (made && (is_rounder_ || !round.wanted ||
                  (*made ? is_good(**made) : made->error().code != ec::mesher_failed)))
       return std::move(*made);
     // Made for that alone: the part as it was has been filled with vertices on chords already.
-    if (round.wanted && (is_rounder() || walls_only_))
+    if (round.wanted && (is_rounder_ || walls_only_))
       return fail(ec::mesher_failed, "its new vertices do not fit on their walls");
     // Where it does not come out once it does not in other ways: each would be meshed twice.
     no_good_on_walls_ |= made.has_value();
@@ -428,6 +422,7 @@ private:
   std::vector<facet_id> near_;
   flush_tool flush_;
   std::optional<round_walls> walls_;
+  bool is_rounder_ = true;         ///< Made for vertices on walls alone.
   bool no_good_on_walls_ = false;  ///< No good tets came out of it.
   bool has_places_ = true;         ///< Each new vertex is somewhere on all of its walls.
   bool walls_only_ = false;        ///< It is good on chords already.
@@ -445,11 +440,16 @@ std::optional<combined> made_on_rounder_part(
   tool_boolean& first, const version_ptr& mesh, const tool_surface& tool,
   const std::vector<std::optional<surface_id>>& continues, const boolean_request& request,
   const execution& run) {
+  const auto shorter = first.tool_with_shorter_chords(tool);
   auto rounder = first.part_with_shorter_chords();
-  if (!rounder || !rounder->mesh)
-    return std::nullopt;
+  if (!rounder || !rounder->mesh) {
+    if (!shorter)
+      return std::nullopt;
+    rounder = rounder_part{mesh, true, {}};
+  }
   const bool is_guess = !rounder->is_known;
-  tool_boolean second(mesh, std::move(*rounder), tool, continues, request, run);
+  tool_boolean second(mesh, std::move(*rounder), shorter ? *shorter : tool, continues, request,
+                      run);
   auto made = second.best();
   if (!made)
     return std::nullopt;

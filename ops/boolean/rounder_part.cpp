@@ -34,7 +34,17 @@ bool has_chords(const mesh_version& part, const std::vector<facet_id>& facets, r
   });
 }
 
+/// m
+double least_of(const box& extent, double size) {
+  const vec3 wide = extent.high - extent.low;
+  return std::min({wide.x, wide.y, wide.z, size});
+}
+
 }  // namespace
+
+double most_off_walls(const tool_surface& tool, double size) {
+  return chord_share * least_of(extent_of(tool), size);
+}
 
 expected<rounder_part> with_shorter_chords(const version_ptr& part, const tool_surface& tool,
                                            const std::vector<facet_id>& near, round_walls& walls,
@@ -43,8 +53,7 @@ expected<rounder_part> with_shorter_chords(const version_ptr& part, const tool_s
   if (part->tet_count() > most_tets)
     return result;
   box extent = extent_of(tool);
-  const vec3 wide = extent.high - extent.low;
-  const double least = std::min({wide.x, wide.y, wide.z, size});
+  const double least = least_of(extent, size);
   extent = extent.grown(around_share * least);
   if (!has_chords(*part, near, walls, extent, chord_share * least))
     return result;

@@ -11,6 +11,10 @@ struct rounder_part {
   std::vector<tet_id> flat;  ///< Its tets that came out flatter than is good: to be made anew.
 };
 
+/// m: how far chords may be off their walls where a tool meets them; `size`: how long edges are
+/// there.
+[[nodiscard]] double most_off_walls(const tool_surface& tool, double size);
+
 /// The part with shorter chords of its round walls where a tool is to meet them: they are halved
 /// until their middles are nearer to the walls than a fiftieth of the tool's least extent and of
 /// the local size, with the new vertices on the walls (`split_chords`). Where a tool is small

@@ -29,6 +29,17 @@ constexpr std::array boolean_ways{boolean_way{1, 2, {exact_of_size, 0.005, 0.05}
                                   boolean_way{2, 4, {2e-2, 0.06, 0.12}},
                                   boolean_way{2, 4, {2e-2, 0.1, 0.3}}};
 
+/// Tools of more triangles are tried twice only, fillings of more tets are not mended besides.
+inline constexpr std::size_t many_triangles = 8000;
+inline constexpr std::size_t many_tets = 30'000;
+
+/// After so many tries a mesh that is worse than this share of what is taken ends them.
+inline constexpr std::size_t hopeless_tries = 3;
+inline constexpr double hopeless = 0.02;
+
+/// Where the CAD model has the round walls, vertices are put on them in so many of the ways.
+inline constexpr std::size_t ways_onto_walls = 2;
+
 /// Worst q that is good enough to stop at, where the part had it.
 constexpr double wanted_quality = 0.1;
 

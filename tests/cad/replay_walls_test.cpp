@@ -39,5 +39,13 @@ TEST_F(ReplayFork, LettersThatNearlyTouchAFilletStayAsTheyAre) {
   EXPECT_TRUE(result.verdict.is_same) << result.verdict.reason;
 }
 
+/// A bore of six facets meets the fillets where it goes otherwise than its arc does.
+TEST_F(ReplayFork, AHoleOfFewFacetsIsMadeRounderWhereItGoes) {
+  const edit_request moved{
+    "move", {16, 42}, {{"by", std::string("0,-0.00107401,-0.000775967")}}, {}};
+  const auto result = replay(moved, edit(moved));
+  EXPECT_TRUE(result.verdict.is_same) << result.verdict.reason;
+}
+
 }  // namespace
 }  // namespace tedit::test
