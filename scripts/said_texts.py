@@ -27,7 +27,7 @@ LEFT_OUT = re.compile(r"""
 """, re.X)
 
 # Where pieces of sentences are put together by helpers: all words count, not only those behind a code.
-PIECES = re.compile(r"(base|mesh|fem|ops)/|cad/(steps|editing|editor/|reader/((brep|iges|step)_|main|short_edges|solids))|actors/cad/|client/(server_url|socket|streams|inbox|messages)|actors/(supervisor/(pool|placement)|session/|store/document_lock|solver/|errors)")
+PIECES = re.compile(r"(base|mesh|fem|ops)/|cad/(steps|editing|mesh_file|repair|editor/|reader/((brep|iges|step)_|main|short_edges|solids))|scan/part_file|actors/cad/|client/(server_url|socket|streams|inbox|messages)|actors/(supervisor/(pool|placement)|session/|store/document_lock|solver/|errors)")
 
 TOKEN = re.compile(r"""
     (?P<comment>//[^\n]*|/\*.*?\*/)

@@ -10769,6 +10769,22 @@
         <source>straight on</source>
         <translation>gerade weiter</translation>
     </message>
+    <message>
+        <source>faces that are narrower than a twentieth of the wall went into their neighbours (%1): surface %2</source>
+        <translation>Flächen, die schmaler als ein Zwanzigstel der Wand sind, gingen in ihren Nachbarn auf (%1): Fläche %2</translation>
+    </message>
+    <message>
+        <source>faces that are narrower than a twentieth of the wall went into their neighbours (%1): surface %2, ...</source>
+        <translation>Flächen, die schmaler als ein Zwanzigstel der Wand sind, gingen in ihren Nachbarn auf (%1): Fläche %2, ...</translation>
+    </message>
+    <message>
+        <source>flat tets at narrow places were mended: the surface moved there by up to %1 mm. A finer size, or a local size of the surfaces there, keeps it</source>
+        <translation>Flache Tetraeder an schmalen Stellen wurden ausgebessert: die Oberfläche verschob sich dort um bis zu %1 mm. Mit feinerer Größe, oder einer eigenen Größe für die Flächen dort, bleibt sie</translation>
+    </message>
+    <message>
+        <source>the worst tet has a radius ratio of %1, below %2: stresses beside it are not to be trusted</source>
+        <translation>das schlechteste Tetraeder hat ein Radienverhältnis von %1, unter %2: Spannungen daneben ist nicht zu trauen</translation>
+    </message>
 </context>
 <context>
     <name>server_lists</name>
