@@ -146,6 +146,21 @@ first_hit along(IntCurvesFace_ShapeIntersector& part, const gp_Pnt& from, const 
   return {part.WParameter(1), part.Transition(1) == IntCurveSurface_Out};
 }
 
+/// All of them ahead, ascending; where it only touches the part there is none.
+std::vector<lid_hit> hits_along(IntCurvesFace_ShapeIntersector& part, const gp_Pnt& from,
+                                const gp_Vec& way, double least) {
+  part.Perform(gp_Lin(from, gp_Dir(way)), least, 1e300);
+  std::vector<lid_hit> hits;
+  if (!part.IsDone())
+    return hits;
+  for (int i = 1; i <= part.NbPnt(); ++i)
+    if (const auto how = part.Transition(i);
+        how == IntCurveSurface_Out || how == IntCurveSurface_In)
+      hits.push_back({part.WParameter(i), how == IntCurveSurface_Out});
+  std::ranges::sort(hits, {}, &lid_hit::distance);
+  return hits;
+}
+
 /// A hole reaches out of the part, a boss down to it.
 double layer_on(IntCurvesFace_ShapeIntersector& part, const feature_lid& lid, const gp_Trsf& way,
                 const cad_step& step) {
@@ -154,17 +169,21 @@ double layer_on(IntCurvesFace_ShapeIntersector& part, const feature_lid& lid, co
   gp_XYZ middle;
   for (const auto& one : lid.rim)
     middle += one[0].XYZ() / static_cast<double>(lid.rim.size());
+  std::vector<std::vector<lid_hit>> rays;
   for (const auto& one : lid.rim) {
     const auto from =
       gp_Pnt(one[0].XYZ() + lid_rules::within_rim * (middle - one[0].XYZ())).Transformed(way);
-    const auto back = step.is_hole ? 0 : 0.1 * lid_rules::on_surface * step.edge_mm;
+    if (step.is_hole) {
+      rays.push_back(hits_along(part, from, normal, 1e-9 * step.size_mm));
+      continue;
+    }
+    const auto back = 0.1 * lid_rules::on_surface * step.edge_mm;
     const auto hit = along(part, from.Translated(normal * -back), normal, 1e-9 * step.size_mm);
-    if (hit.distance > 0 && hit.leaves == step.is_hole &&
-        (step.is_hole || hit.distance < 0.5 * step.size_mm))
+    if (hit.distance > 0 && !hit.leaves && hit.distance < 0.5 * step.size_mm)
       most = std::max(most, hit.distance);
   }
   if (step.is_hole)
-    return most + lid_rules::out_of_part * step.edge_mm;
+    return reach_of_hole(rays, step.edge_mm);
   return most > lid_rules::on_surface * step.edge_mm ? most + lid_rules::into_part * step.edge_mm
                                                      : 0;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace tedit {
@@ -49,6 +50,19 @@ vec3 way_past_lid(std::span<const surface_geometry> walls, vec3 outward,
     return norm(cross(along, *way)) < leads_out * norm(along);
   });
   return std::abs(out) < leads_out || runs_along ? outward : std::copysign(1.0, out) * *way;
+}
+
+double reach_of_hole(std::span<const std::vector<lid_hit>> rays, double edge) {
+  double out = 0;
+  for (const auto& ray : rays)
+    if (!ray.empty() && ray.front().leaves)
+      out = std::max(out, ray.front().distance);
+  double free = std::numeric_limits<double>::infinity();
+  for (const auto& ray : rays)
+    for (const auto& hit : ray)
+      if (!hit.leaves && hit.distance > out + lid_rules::on_surface * edge)
+        free = std::min(free, hit.distance - out);
+  return out + std::min(lid_rules::out_of_part * edge, lid_rules::of_gap * free);
 }
 
 }  // namespace tedit

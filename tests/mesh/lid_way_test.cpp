@@ -59,5 +59,18 @@ TEST(WayPastLid, IsStraightOutWhereTheWallsLeadOutAtNoAngleOrTheHoleIsOpenAtItsS
   EXPECT_EQ(way_past_lid(std::array{wall(kind::cylinder, tilted)}, up, open), up);
 }
 
+TEST(ReachOfHole, GoesOutOfTheMaterialAndABitIntoTheOpen) {
+  using rays = std::vector<std::vector<lid_hit>>;
+  // The rim is on the surface, below 3 and below 5 of material; half an edge of 2 further.
+  EXPECT_DOUBLE_EQ(reach_of_hole(rays{{}, {{3, true}}, {{5, true}}}, 2), 6);
+  // 8 of free space do not matter, of 1.2 half is taken.
+  EXPECT_DOUBLE_EQ(reach_of_hole(rays{{{5, true}, {13, false}, {14, true}}}, 2), 6);
+  EXPECT_DOUBLE_EQ(reach_of_hole(rays{{{5, true}, {6.2, false}, {14, true}}}, 2), 5.6);
+  // What is above another point of the rim counts, too, where it is not passed already.
+  EXPECT_DOUBLE_EQ(reach_of_hole(rays{{{5, true}}, {{5.4, false}, {9, true}}}, 2), 5.2);
+  EXPECT_DOUBLE_EQ(reach_of_hole(rays{{{5, true}}, {{4.4, false}, {9, true}}}, 2), 6);
+  EXPECT_DOUBLE_EQ(reach_of_hole({}, 2), 1);
+}
+
 }  // namespace
 }  // namespace tedit

@@ -89,36 +89,73 @@ TEST_F(Move, ATiltedHoleGoesOnAlongItsAxis) {
 
 /// A countersink of 45 degrees, brought below a block: the cone ends where it did, and a wall of
 /// its own goes on to the block's top.
-TEST_F(Move, ACountersinkStaysAConeWhereThePartIsThicker) {
-  const auto sunk = combined(plate_,
-                             revolve(make_frame({0.25, 0.5, 0.2}, {0, 0, 1}),
-                                     {{0, 0.1, ""},
-                                      {0.2, 0.1, "top"},
-                                      {0.06, -0.04, "sink"},
-                                      {0.06, -0.4, "bore"},
-                                      {0, -0.4, "bottom"}},
-                                     24, 0.04),
-                             boolean_mode::cut);
-  const auto mesh = with_boss(sunk, {0.5, 0.25, 0.2}, {0.9, 0.75, 0.3});
+class MovedCountersink : public Move {
+protected:
+  static tool_surface countersink(int facets) {
+    return revolve(make_frame({0.25, 0.5, 0.2}, {0, 0, 1}),
+                   {{0, 0.1, ""},
+                    {0.2, 0.1, "top"},
+                    {0.06, -0.04, "sink"},
+                    {0.06, -0.4, "bore"},
+                    {0, -0.4, "bottom"}},
+                   facets, 0.04);
+  }
 
-  const auto result = move_features(
-    mesh, {surface_named(*mesh, "sink"), surface_named(*mesh, "bore")}, {0.45, 0, 0}, false, ctx_);
+  version_ptr moved_below_a_block(const version_ptr& part) {
+    const auto mesh = with_boss(part, {0.5, 0.25, 0.2}, {0.9, 0.75, 0.3});
+    const auto result =
+      move_features(mesh, {surface_named(*mesh, "sink"), surface_named(*mesh, "bore")},
+                    {0.45, 0, 0}, false, ctx_);
+    EXPECT_TRUE(result) << render(result.error());
+    if (!result)
+      return mesh;
+    expect_good(mesh, *result);
+    return result->candidate;
+  }
 
-  ASSERT_TRUE(result) << render(result.error());
-  expect_good(mesh, *result);
-  const auto& after = *result->candidate;
-  const auto off_axis = [&](vertex_id v) {
-    return norm(after.position(v) - vec3{0.7, 0.5, after.position(v).z});
-  };
-  const double chord = 1 - std::cos(std::numbers::pi / 24);
-  for (const auto f : facets_of(after, std::array{surface_named(after, "sink")}))
-    for (const auto v : after.facet(f).v) {
-      EXPECT_LT(after.position(v).z, 0.2 + 1e-9);
-      EXPECT_NEAR(off_axis(v), after.position(v).z - 0.1, 0.1 * chord + 1e-9);
-    }
-  for (const auto f : facets_of(after, std::array{surface_named(after, "straight on")}))
-    for (const auto v : after.facet(f).v)
-      EXPECT_NEAR(off_axis(v), 0.1, 0.1 * chord + 1e-9);
+  /// Calls `check` with each corner of a surface, and how far that is off the axis.
+  template <class Check>
+  void each_corner(const mesh_version& mesh, const std::string& name, const Check& check) {
+    for (const auto f : facets_of(mesh, std::array{surface_named(mesh, name)}))
+      for (const auto v : mesh.facet(f).v) {
+        const vec3 p = mesh.position(v);
+        check(p, norm(p - vec3{0.7, 0.5, p.z}));
+      }
+  }
+};
+
+TEST_F(MovedCountersink, StaysAConeWhereThePartIsThicker) {
+  const double chord = 0.1 * (1 - std::cos(std::numbers::pi / 24));
+  const auto after = moved_below_a_block(combined(plate_, countersink(24), boolean_mode::cut));
+  each_corner(*after, "sink", [&](vec3 p, double radius) {
+    EXPECT_LT(p.z, 0.2 + 1e-9);
+    EXPECT_NEAR(radius, p.z - 0.1, chord + 1e-9);
+  });
+  each_corner(*after, "straight on",
+              [&](vec3, double radius) { EXPECT_NEAR(radius, 0.1, chord + 1e-9); });
+}
+
+/// Of twelve facets, whose chords are .0034 off it: part and tool say what their walls are.
+TEST_F(MovedCountersink, GoesOnAsACylinder) {
+  using kind = surface_geometry::kind;
+  mesh_builder named(plate_);
+  const auto side = named.add_surface("side", {kind::plane, {0, 0, 0}, {-1, 0, 0}});
+  for (facet_id f = 0; f < plate_->facet_slots(); ++f)
+    if (std::ranges::all_of(plate_->facet(f).v,
+                            [&](vertex_id v) { return plate_->position(v).x == 0; }))
+      named.set_surface(f, side);
+  auto tool = countersink(12);
+  tool.geometries.resize(tool.names.size());
+  for (std::size_t face = 0; face < tool.names.size(); ++face)
+    if (tool.names[face] == "sink")
+      tool.geometries[face] = {kind::cone, {0.25, 0.5, 0.2}, {0, 0, 1}, 0.1, 1};
+
+  const auto after = moved_below_a_block(combined(named.freeze(), tool, boolean_mode::cut));
+
+  const auto& straight = after->find_surface(surface_named(*after, "straight on"))->geometry;
+  EXPECT_EQ(straight.type, kind::cylinder);
+  EXPECT_NEAR(straight.radius, 0.1, 1e-9);
+  each_corner(*after, "straight on", [](vec3, double radius) { EXPECT_NEAR(radius, 0.1, 1e-9); });
 }
 
 TEST_F(Move, ABossMovesWithItsNumbers) {

@@ -125,6 +125,31 @@ void find_ways(feature_tool& feature, const std::vector<surface_geometry>& shape
   }
 }
 
+/// What goes on straight from the mouth of a cone is a cylinder; none where it is something else,
+/// or several.
+surface_geometry straight_on(const feature_tool& feature,
+                             const std::vector<surface_geometry>& shapes) {
+  constexpr double alike = 1e-5;
+  using kind = surface_geometry::kind;
+  const auto walls = wall_edges(feature.tool);
+  surface_geometry result;
+  for (const auto& lid : feature.lids)
+    for (std::size_t i = 0; i < lid.rim.size(); ++i) {
+      if (lid.runs_on[i])
+        continue;
+      const auto& cone = shapes[walls.at({lid.rim[i][1], lid.rim[i][0]})];
+      if (cone.type != kind::cone || norm(cross(cone.axis, lid.way)) > alike)
+        return {};
+      const vec3 from_axis = cross(feature.tool.points[lid.rim[i][0]] - cone.point, cone.axis);
+      if (result.type == kind::none)
+        result = {kind::cylinder, cone.point, cone.axis, norm(from_axis)};
+      if (std::abs(norm(from_axis) - result.radius) > alike * result.radius ||
+          norm(cross(cone.point - result.point, result.axis)) > alike * result.radius)
+        return {};
+    }
+  return result;
+}
+
 /// Where walls are something else past a lid, what goes on straight there is a face of its own: the
 /// last but one.
 void add_face_past_lids(feature_tool& feature, std::vector<surface_geometry>& shapes) {
@@ -132,12 +157,13 @@ void add_face_past_lids(feature_tool& feature, std::vector<surface_geometry>& sh
         return std::ranges::find(one.runs_on, false) == one.runs_on.end();
       }))
     return;
+  const auto shape = straight_on(feature, shapes);
   auto& tool = feature.tool;
   const auto lid_face = static_cast<std::uint32_t>(tool.names.size() - 1);
   std::ranges::replace(tool.faces, lid_face, lid_face + 1);
   tool.names.insert(tool.names.end() - 1, "straight on");
   feature.surfaces.insert(feature.surfaces.end() - 1, std::nullopt);
-  shapes.insert(shapes.end() - 1, surface_geometry());
+  shapes.insert(shapes.end() - 1, shape);
 }
 
 expected<feature_tool> close_feature(const mesh_version& mesh, const shell& part, boolean_mode mode,
@@ -180,13 +206,15 @@ expected<feature_tool> close_feature(const mesh_version& mesh, const shell& part
   return result;
 }
 
-/// How far the material goes on along `out` from the points, at most, m.
-double way_out(const mesh_version& mesh, const std::vector<vec3>& points, vec3 out) {
-  double most = 0;
-  for (const auto& p : points)
-    if (const auto hits = ray_hits(mesh, p, out); !hits.empty() && hits.front().leaves)
-      most = std::max(most, hits.front().distance);
-  return most;
+std::vector<std::vector<lid_hit>> rays_from(const mesh_version& mesh,
+                                            const std::vector<vec3>& points, vec3 way) {
+  std::vector<std::vector<lid_hit>> rays;
+  for (const auto& p : points) {
+    auto& ray = rays.emplace_back();
+    for (const auto& hit : ray_hits(mesh, p, way))
+      ray.push_back({hit.distance, hit.leaves});
+  }
+  return rays;
 }
 
 /// How far from the points the material begins along `in`, at most, m; points with none within
@@ -202,20 +230,30 @@ double way_in(const mesh_version& mesh, const std::vector<vec3>& points, vec3 in
   return most;
 }
 
+/// Of each rim edge so many points, where there are few edges: what covers a bit of the lid is
+/// found.
+std::size_t points_an_edge(std::size_t edges) {
+  return edges <= 16 ? 4 : 1;
+}
+
 double layer_on(const mesh_version& mesh, const feature_tool& feature, const tool_surface& tool,
                 const lid& one, vec3 way, double size) {
   std::vector<vec3> rim;
   box extent;
   vec3 middle;
-  for (const auto& edge : one.rim) {
-    rim.push_back(tool.points[edge[0]]);
-    extent.add(rim.back());
-    middle += rim.back() / static_cast<double>(one.rim.size());
+  const auto more = points_an_edge(one.rim.size());
+  for (const auto& [a, b] : one.rim) {
+    for (std::size_t i = 0; i < more; ++i) {
+      const double share = static_cast<double>(i) / static_cast<double>(more);
+      rim.push_back(tool.points[a] + share * (tool.points[b] - tool.points[a]));
+    }
+    extent.add(tool.points[a]);
+    middle += tool.points[a] / static_cast<double>(one.rim.size());
   }
   for (auto& p : rim)
     p += lid_rules::within_rim * (middle - p);
   if (feature.mode == boolean_mode::cut)
-    return way_out(mesh, rim, way) + lid_rules::out_of_part * size;
+    return reach_of_hole(rays_from(mesh, rim, way), size);
   const double gap = way_in(mesh, rim, way, norm(extent.high - extent.low), size);
   return gap > lid_rules::on_surface * size ? gap + lid_rules::into_part * size : 0;
 }
