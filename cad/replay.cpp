@@ -35,6 +35,14 @@ part_facts facts_with_ids_of(const mesh_version& mesh, part_facts facts) {
   return facts;
 }
 
+/// Faces that the CAD program has not named are called as the surface that an edit made of them.
+void name_new_faces(part_facts& facts, const mesh_version& before, const mesh_version& after) {
+  for (auto& face : facts.faces)
+    if (face.name.empty() && face.ids.size() == 1 && !before.find_surface(face.ids.front()))
+      if (const auto* made = after.find_surface(face.ids.front()))
+        face.name = made->name;
+}
+
 expected<void> write_inputs(const replay_request& request, cad_step& step,
                             const std::filesystem::path& folder) {
   const auto extent = ops::extent_of(*request.before);
@@ -93,6 +101,7 @@ expected<replayed_edit> replay_edit(const replay_request& request, const executi
   if (!model)
     return fail(model.error());
   result.model = std::move(*model);
+  name_new_faces(result.model.facts, *request.before, *request.after);
   result.ms = clock.milliseconds();
   return result;
 }

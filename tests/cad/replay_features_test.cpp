@@ -473,6 +473,12 @@ TEST_F(BracketStory, ANameTwoMovedHolesAndARibComeBackAsStep) {
   EXPECT_EQ(ids.size(), 21U);
   EXPECT_EQ(*ids.begin(), 1);
   EXPECT_EQ(*ids.rbegin(), 21);
+  std::set<std::string> names;
+  for (const auto& surface : again["surfaces"])
+    names.insert(surface["name"].get<std::string>());
+  EXPECT_TRUE(names.contains("text side") && names.contains("text top") &&
+              names.contains("rib top"))
+    << again["surfaces"];
 }
 
 }  // namespace
