@@ -33,7 +33,7 @@ public:
   [[nodiscard]] std::optional<surface_mesh> mesh_faces_finer_where_narrow(
     const std::map<int, double>& local);
 
-  /// What is filled is filled as if they had not been looked for.
+  /// From then on sizes are as if narrow strips had not been looked for.
   void forget_narrow_places();
 
   /// Fills the solids within `faces` with tets and writes all; whether it could.

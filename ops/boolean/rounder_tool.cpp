@@ -92,7 +92,7 @@ private:
     return place.found ? std::optional(place.at) : std::nullopt;
   }
 
-  /// One corner after the other is cut off, at a halved edge, until none is left.
+  /// Into two, three or four, by how many of its edges are halved.
   void split(std::size_t i, const std::map<tool_edge, tool_corner>& middles) {
     auto t = tool_.triangles[i];
     const auto middle = [&](int k) {
