@@ -10785,6 +10785,10 @@
         <source>the worst tet has a radius ratio of %1, below %2: stresses beside it are not to be trusted</source>
         <translation>das schlechteste Tetraeder hat ein Radienverhältnis von %1, unter %2: Spannungen daneben ist nicht zu trauen</translation>
     </message>
+    <message>
+        <source>only %1 mm of the part are left between two of its walls near %2</source>
+        <translation>zwischen zwei Wänden des Teils bleiben nur %1 mm stehen, bei %2</translation>
+    </message>
 </context>
 <context>
     <name>server_lists</name>

@@ -20,6 +20,7 @@
 #include "ops/boolean/rounder_part.hpp"
 #include "ops/boolean/rounder_tool.hpp"
 #include "ops/boolean/tets_in_box.hpp"
+#include "ops/boolean/thin_remains.hpp"
 #include "ops/boolean/ways.hpp"
 #include "ops/tools/local_size.hpp"
 
@@ -98,6 +99,7 @@ public:
         best = std::move(*made);
         on_chords_ = last_on_chords_;
         put_on_ = last_put_on_;
+        thin_ = last_thin_;
       }
       if (is_done(*best, i + 1, tries))
         break;
@@ -127,6 +129,7 @@ public:
   [[nodiscard]] bool on_chords() const { return on_chords_; }
   /// m^3: of its change of volume, what came of new vertices on their walls.
   [[nodiscard]] double put_on() const { return put_on_; }
+  [[nodiscard]] const std::optional<thin_remain>& thin() const { return thin_; }
 
   /// The part with shorter chords where the tool is. None, or an error, where that is no help.
   expected<rounder_part> part_with_shorter_chords() {
@@ -141,10 +144,10 @@ public:
   }
 
   expected<boolean_result> draft() {
-    const auto opened = cut_open(make_finder(), boolean_ways.front().rings, run_);
+    const auto opened = cut_open(make_finder(), boolean_ways.front(), run_);
     if (!opened)
       return fail(opened.error());
-    const auto surface = surface_of(**opened, boolean_ways.front().steps);
+    const auto surface = surface_of(**opened, boolean_ways.front());
     if (!surface)
       return fail(surface.error());
     auto builder = begin();
@@ -221,11 +224,12 @@ private:
   }
 
   /// Made once for so many rings: most ways clean what an earlier one has cut.
-  expected<const cut_cavity*> cut_open(const cavity_finder& finder, int rings,
+  expected<const cut_cavity*> cut_open(const cavity_finder& finder, const boolean_way& how,
                                        const execution& run) {
-    if (const auto known = cuts_.find(rings); known != cuts_.end())
+    const std::pair key(how.rings, how.clean.fine && mesh_->regions().size() > 1);
+    if (const auto known = cuts_.find(key); known != cuts_.end())
       return &known->second;
-    auto hollow = finder.find(rings, also_);
+    auto hollow = finder.find(how.rings, also_, key.second);
     if (!hollow)
       return fail(hollow.error());
     run.report(0.2, "cutting");
@@ -236,22 +240,24 @@ private:
     if (!opened.hollow.tets.empty() && changes_nothing(*mesh_, flush_.tool, opened))
       return fail(ec::empty_selection, "the tool changes nothing of the part",
                   "Place it so that it cuts the part's surface");
-    return &cuts_.emplace(rings, std::move(opened)).first->second;
+    return &cuts_.emplace(key, std::move(opened)).first->second;
   }
 
-  [[nodiscard]] expected<labelled_surface> surface_of(const cut_cavity& of, int steps) const {
+  [[nodiscard]] expected<labelled_surface> surface_of(const cut_cavity& of,
+                                                      const boolean_way& how) const {
     return label_surface(*mesh_, of.hollow, flush_.tool, continues_, of.cut, request_.mode, size_,
-                         steps);
+                         how.steps, how.clean.fine);
   }
 
   expected<boolean_result> try_way(const cavity_finder& finder, const boolean_way& how,
                                    const execution& run) {
-    const auto opened = cut_open(finder, how.rings, run);
+    const auto opened = cut_open(finder, how, run);
     if (!opened)
       return fail(opened.error());
-    auto labelled = surface_of(**opened, how.steps);
+    auto labelled = surface_of(**opened, how);
     if (!labelled)
       return fail(labelled.error());
+    last_thin_ = how.clean.fine ? thinnest(labelled->mesh, size_) : std::nullopt;
     auto settings = how.clean;
     if (settings.off_plane <= exact_of_size)
       settings.off_plane = off_walls() / size_;
@@ -378,7 +384,7 @@ private:
     run.report(0.7, "improving");
     if (const auto improved = improve(builder, made->tets, {}, run.part(0.7, 0.8)); !improved)
       return fail(improved.error());
-    auto result = frozen(builder);
+    auto result = result_of(builder, *part_, *mesh_);
     for (int step = 0; step < 2 && made->tets.size() < many_tets && !is_good(result); ++step) {
       // Where all corners of a flat tet are on walls, what may change within these alone helps.
       if (auto ok = step == 0
@@ -386,22 +392,12 @@ private:
                       : mend_flat(builder, builder.touched(), off_walls(), run.part(0.9, 1));
           !ok)
         return fail(ok.error());
-      result = frozen(builder);
+      result = result_of(builder, *part_, *mesh_);
     }
     result.deviation = deviation;
     name_surfaces(result, std::move(made->surfaces));
     if (auto ok = volume_fits(*mesh_, size_, opened, put_on, result); !ok)
       return fail(ok.error());
-    return result;
-  }
-
-  boolean_result frozen(mesh_builder& builder) const {
-    boolean_result result;
-    result.candidate = builder.freeze();
-    result.touched = builder.touched();
-    result.volume_change = boundary_volume_change(*mesh_, *result.candidate);
-    result.worst_before = worst_quality_before(*part_, *result.candidate, result.touched);
-    result.worst_after = worst_quality(*result.candidate, result.touched);
     return result;
   }
 
@@ -430,8 +426,10 @@ private:
   bool on_chords_ = false;
   double last_put_on_ = 0;  ///< Of the last try: see `put_on`.
   double put_on_ = 0;
+  std::optional<thin_remain> last_thin_;  ///< Of the last try: see `combined::thin`.
+  std::optional<thin_remain> thin_;
   std::optional<bool> are_walls_known_;
-  std::map<int, cut_cavity> cuts_;  ///< By rings.
+  std::map<std::pair<int, bool>, cut_cavity> cuts_;  ///< By rings, and whether beyond.
 };
 
 /// Once more on a part whose walls are rounder where the tool is. Nothing where that is no better,
@@ -466,7 +464,7 @@ std::optional<combined> made_on_rounder_part(
   const double by_walls = made->volume_change - by_tool;
   if (is_guess && std::abs(by_walls) > most_by_walls * std::abs(by_tool))
     return std::nullopt;
-  return combined{std::move(*made), by_walls + second.put_on()};
+  return combined{std::move(*made), by_walls + second.put_on(), second.thin()};
 }
 
 }  // namespace
@@ -486,7 +484,7 @@ expected<combined> combine_with_tool(const version_ptr& mesh, const tool_surface
       return std::move(*rounder);
   if (!made)
     return fail(made.error());
-  return combined{std::move(*made), first.put_on()};
+  return combined{std::move(*made), first.put_on(), first.thin()};
 }
 
 expected<boolean_result> draft_with_tool(const version_ptr& mesh, const tool_surface& tool,

@@ -1,14 +1,24 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "ops/sdk/operation.hpp"
 
 namespace tedit::ops {
+
+/// Where little of the part is left between two of its faces.
+struct thin_remain {
+  double thickness = 0;  ///< m
+  vec3 at;
+};
 
 struct combined {
   boolean_result made;
   /// m^3: of its change of volume, what walls gained by shorter chords and vertices on their arcs.
   double rounder = 0;
+  /// The thinnest that finer triangles were needed for, if less than a tenth of an edge there.
+  std::optional<thin_remain> thin;
 };
 
 /// `services::boolean_onto`: see there. The steps: the tets that the tool crosses and a ring around

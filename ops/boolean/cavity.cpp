@@ -343,7 +343,7 @@ void cavity_finder::sort_sides(const std::vector<tet_id>& near) {
 
 /// Those that the tool reaches into, or stands on with facets of its own; it may touch others, too,
 /// and they have to agree where.
-std::vector<region_id> cavity_finder::regions_of_edit() const {
+std::vector<region_id> cavity_finder::regions_of_edit(bool beyond) const {
   std::vector<region_id> regions;
   const auto note = [&](const std::vector<tet_id>& tets) {
     for (const auto t : tets)
@@ -358,6 +358,12 @@ std::vector<region_id> cavity_finder::regions_of_edit() const {
   if (bonded_)
     note(crossed_);
   note(kept_within_);
+  if (beyond && bonded_)
+    for (const auto t : crossed_)
+      if (std::ranges::find(regions, mesh_.region_of(t)) != regions.end())
+        for (const auto n : mesh_.neighbours(t))
+          if (!is_facet(n))
+            note({n});
   if (regions.empty())
     regions.push_back(crossed_.empty() ? region_id{0} : mesh_.region_of(crossed_.front()));
   std::ranges::sort(regions);
@@ -409,12 +415,13 @@ bool cavity_finder::stays(region_id region) const {
   return !owners_.empty() && !std::ranges::count(owners_, region);
 }
 
-expected<cavity> cavity_finder::find(int rings, const std::vector<tet_id>& also) const {
+expected<cavity> cavity_finder::find(int rings, const std::vector<tet_id>& also,
+                                     bool beyond) const {
   const bool keeps_inside = mode_ == boolean_mode::keep;
   if (crossed_.empty() && (mode_ == boolean_mode::add || within_.empty()))
     return fail(ec::empty_selection, "the tool does not meet the part",
                 "Place it so that it cuts the part's surface");
-  const auto regions = regions_of_edit();
+  const auto regions = regions_of_edit(beyond);
   const auto takes_part = [&](tet_id t) {
     return std::ranges::find(regions, mesh_.region_of(t)) != regions.end();
   };

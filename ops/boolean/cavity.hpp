@@ -56,16 +56,19 @@ public:
                 const std::vector<facet_id>& near, const std::vector<surface_id>& moved);
 
   /// @param also tets that are made anew, too, with the same rings around.
+  /// @param beyond also on the other side of interfaces that the tool comes near: else these stay
+  /// as they are.
   /// Errors: `empty_selection` where the tool meets nothing, `mesher_failed` where the part itself
   /// is no clean solid. Cost: O(cavity), and O(interface facets) where there are several regions.
-  [[nodiscard]] expected<cavity> find(int rings, const std::vector<tet_id>& also = {}) const;
+  [[nodiscard]] expected<cavity> find(int rings, const std::vector<tet_id>& also = {},
+                                      bool beyond = false) const;
 
 private:
   [[nodiscard]] box reach_of(const std::array<vec3, 4>& tet) const;
   void find_crossed(const std::vector<tet_id>& near);
   void sort_sides(const std::vector<tet_id>& near);
   [[nodiscard]] bool is_within(tet_id t) const;
-  [[nodiscard]] std::vector<region_id> regions_of_edit() const;
+  [[nodiscard]] std::vector<region_id> regions_of_edit(bool beyond) const;
   [[nodiscard]] std::vector<tet_id> changed() const;
   [[nodiscard]] std::vector<facet_id> facets_of_tool() const;
   void find_owners(const std::vector<surface_id>& moved);

@@ -6,6 +6,8 @@
 #include <queue>
 #include <ranges>
 
+#include "ops/boolean/thin_remains.hpp"
+
 namespace tedit::ops {
 
 namespace {
@@ -24,6 +26,12 @@ constexpr double turn_limit = 0.906;       // 25 degrees
 constexpr double weld_turn_limit = 0.766;  // 40 degrees
 constexpr double flip_limit = 0.978;       // 12 degrees
 constexpr double poor_flip_limit = 0.883;  // 28 degrees
+
+/// Edges where little is left are so many times as long as that; and in so many rounds, or until
+/// there are so many faces, alive or not.
+constexpr double thin_edges = 2.5;
+constexpr int thin_rounds = 8;
+constexpr std::size_t most_faces = 60'000;
 
 class cleaner {
 public:
@@ -52,6 +60,8 @@ public:
       remesh(settings_.fine ? 8 : 3);
       least = 0.6;
     }
+    if (settings_.fine)
+      refine_thin();
     weld(settings_.weld);
     remesh(2);
   }
@@ -363,6 +373,17 @@ private:
       if (round > 0)
         for (std::uint32_t v = 0; v < mesh_.vertices.size(); ++v)
           centre(v);
+    }
+  }
+
+  /// Where little is left between two faces their triangles become as small.
+  void refine_thin() {
+    for (int round = 0; round < thin_rounds && !cancel_.cancelled(); ++round) {
+      if (mesh_.faces.size() > most_faces ||
+          !shrink_at(mesh_, thin_places(mesh_), thin_edges, least_fine_))
+        return;
+      grade(0.7);
+      remesh(2);
     }
   }
 

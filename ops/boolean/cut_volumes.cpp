@@ -40,6 +40,17 @@ bool is_small(double volume, const mesh_version& part, const tool_surface& tool,
   return std::abs(volume) <= most_put_on * edit;
 }
 
+boolean_result result_of(mesh_builder& builder, const mesh_version& part,
+                         const mesh_version& mesh) {
+  boolean_result result;
+  result.candidate = builder.freeze();
+  result.touched = builder.touched();
+  result.volume_change = boundary_volume_change(mesh, *result.candidate);
+  result.worst_before = worst_quality_before(part, *result.candidate, result.touched);
+  result.worst_after = worst_quality(*result.candidate, result.touched);
+  return result;
+}
+
 expected<void> volume_fits(const mesh_version& part, double size, const cut_cavity& opened,
                            double put_on, const boolean_result& result) {
   const double wanted =

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include "mesh/builder.hpp"
 #include "ops/boolean/cavity.hpp"
 #include "ops/boolean/corefine.hpp"
 #include "ops/sdk/operation.hpp"
@@ -24,6 +25,10 @@ struct cut_cavity {
 /// than the tool.
 [[nodiscard]] bool is_small(double volume, const mesh_version& part, const tool_surface& tool,
                             const cut_cavity& opened);
+
+/// What a filled part is. @param part as it was before all. @param mesh what was cut of it.
+[[nodiscard]] boolean_result result_of(mesh_builder& builder, const mesh_version& part,
+                                       const mesh_version& mesh);
 
 /// The tets' volume is that of the exact boolean, but for what may be off.
 /// @param put_on m^3: by how much vertices that were put on round walls have changed the surface.

@@ -9,6 +9,7 @@
 #include "mesh/level_set_tidy.hpp"
 #include "mesh/optimize/improve.hpp"
 #include "mesh/pieces.hpp"
+#include "ops/boolean/thin_remains.hpp"
 #include "ops/mesher/mesher.hpp"
 
 namespace tedit::ops {
@@ -41,7 +42,7 @@ class surface_labeller {
 public:
   surface_labeller(const mesh_version& mesh, const cavity& hollow, const tool_surface& tool,
                    const std::vector<std::optional<surface_id>>& continues, const corefined& cut,
-                   boolean_mode mode, double size, int free_steps)
+                   boolean_mode mode, double size, int free_steps, bool thin)
       : mesh_(mesh),
         hollow_(hollow),
         tool_(tool),
@@ -49,7 +50,8 @@ public:
         cut_(cut),
         mode_(mode),
         size_(size),
-        free_steps_(free_steps) {}
+        free_steps_(free_steps),
+        thin_(thin) {}
 
   expected<labelled_surface> label() {
     add_faces();
@@ -200,6 +202,12 @@ private:
     for (std::size_t v = 0; v < steps.size(); ++v)
       if (mesh.vertices[v].origin < 0)
         steps[v] = 0;
+    if (thin_) {
+      mesh.connect();
+      for (const auto& place : thin_places(mesh))
+        for (const auto v : mesh.faces[place.face].v)
+          steps[v] = 0;
+    }
     for (int round = 0; round < free_steps_; ++round) {
       auto next = steps;
       for (const auto& f : mesh.faces)
@@ -221,6 +229,7 @@ private:
   boolean_mode mode_;
   double size_;
   int free_steps_;
+  bool thin_;
   labelled_surface result_;
 };
 
@@ -384,8 +393,8 @@ expected<labelled_surface> label_surface(const mesh_version& mesh, const cavity&
                                          const tool_surface& tool,
                                          const std::vector<std::optional<surface_id>>& continues,
                                          const corefined& cut, boolean_mode mode, double size,
-                                         int free_steps) {
-  return surface_labeller(mesh, hollow, tool, continues, cut, mode, size, free_steps).label();
+                                         int free_steps, bool thin) {
+  return surface_labeller(mesh, hollow, tool, continues, cut, mode, size, free_steps, thin).label();
 }
 
 double deviation_of(const surface_mesh& before, const surface_mesh& after) {

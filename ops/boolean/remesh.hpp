@@ -39,14 +39,14 @@ struct labelled_surface {
 };
 
 /// The result of the exact boolean with labels, sizes and what must stay: the part's triangles
-/// more than `free_steps` from anything new. Errors: `mesher_failed`
-/// where a triangle against a tet that stays was cut, or where what was taken does not hang
-/// together with what goes.
+/// more than `free_steps` from anything new or, if `thin`, from where little is left to it. Errors:
+/// `mesher_failed` where a triangle against a tet that stays was cut, or where what was taken does
+/// not hang together with what goes.
 /// @param continues what each face of the tool is a part of; may be empty.
 [[nodiscard]] expected<labelled_surface> label_surface(
   const mesh_version& mesh, const cavity& hollow, const tool_surface& tool,
   const std::vector<std::optional<surface_id>>& continues, const corefined& cut, boolean_mode mode,
-  double size, int free_steps);
+  double size, int free_steps, bool thin);
 
 /// How far the points of the exact boolean are from the cleaned surface at most, m. Frozen faces
 /// have not moved; points of facets with slack are left out, as their wall is elsewhere.

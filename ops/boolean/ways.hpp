@@ -15,7 +15,8 @@ constexpr double exact_of_size = 1e-4;
 constexpr double exact_of_part = 3e-7;
 
 /// How a boolean is tried: rings of tets around what the tool crosses, steps from anything new
-/// within which the part's triangles may change, and how the surface is cleaned.
+/// within which the part's triangles may change, and how the surface is cleaned. Where it is
+/// cleaned finely, bonded regions beside are meshed anew, too.
 struct boolean_way {
   int rings = 1;
   int steps = 2;

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "mesh/place_text.hpp"
 #include "ops/boolean/boolean.hpp"
 #include "ops/services/notices.hpp"
 
@@ -20,16 +21,28 @@ constexpr double told_share = 0.05;
 /// thread.
 thread_local double gained = 0;
 
+/// What was left thin since that was last told, the thinnest.
+thread_local std::optional<thin_remain> left;
+
+std::string short_number(const char* format, double number) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), format, number);
+  return text.data();
+}
+
 class host_services : public telling_services {
 public:
   std::vector<std::string> take_notices() override {
-    const double change = std::exchange(gained, 0);
-    if (change == 0)
-      return {};
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%+.3g", 1e9 * change);
-    return {"the round walls at the tool follow their arcs closer now: " +
-            std::string(text.data()) + " mm3 of the change of volume come of that"};
+    std::vector<std::string> notices;
+    if (const double change = std::exchange(gained, 0); change != 0)
+      notices.push_back("the round walls at the tool follow their arcs closer now: " +
+                        short_number("%+.3g", 1e9 * change) +
+                        " mm3 of the change of volume come of that");
+    if (const auto thin = std::exchange(left, std::nullopt))
+      notices.push_back("only " + short_number("%.2g", 1e3 * thin->thickness) +
+                        " mm of the part are left between two of its walls near " +
+                        place_text(thin->at));
+    return notices;
   }
 
   expected<tet_filling> tetrahedralise(const closed_surface& shell, const execution& run) override {
@@ -42,22 +55,24 @@ public:
 
   expected<boolean_result> boolean(const version_ptr& mesh, const tool_surface& tool,
                                    const boolean_request& request, const execution& run) override {
-    return noting_gain(combine_with_tool(mesh, tool, {}, request, run));
+    return noting(combine_with_tool(mesh, tool, {}, request, run));
   }
 
   expected<boolean_result> boolean_onto(const version_ptr& mesh, const tool_surface& tool,
                                         const std::vector<std::optional<surface_id>>& continues,
                                         const boolean_request& request,
                                         const execution& run) override {
-    return noting_gain(combine_with_tool(mesh, tool, continues, request, run));
+    return noting(combine_with_tool(mesh, tool, continues, request, run));
   }
 
 private:
-  static expected<boolean_result> noting_gain(expected<combined>&& found) {
+  static expected<boolean_result> noting(expected<combined>&& found) {
     if (!found)
       return fail(found.error());
     if (std::abs(found->rounder) > told_share * std::abs(found->made.volume_change))
       gained += found->rounder;
+    if (found->thin && (!left || found->thin->thickness < left->thickness))
+      left = found->thin;
     return std::move(found->made);
   }
 };

@@ -80,6 +80,19 @@ TEST_F(Bonded, AHoleAlongBothTakesOfBothAndOfWhatIsBetween) {
   EXPECT_NEAR(interface_area(*cut), 1 - circle_area(0.2), 1e-12);
 }
 
+TEST_F(Bonded, WhatNearlyMeetsTheInterfaceGetsRoomBeyondIt) {
+  // A post on one of them ends 10 mm before the other, among edges of 167 mm.
+  const auto tool = brick({0.6, 0.3, 1}, {0.39, 0.4, 0.2});
+  const auto result = host_->boolean(block_, tool, {boolean_mode::add, 0}, {});
+
+  ASSERT_TRUE(result) << render(result.error());
+  EXPECT_GE(result->worst_after, 0.1);
+  EXPECT_EQ(check_version(*result->candidate).total, 0u);
+  EXPECT_NEAR(volume_of(*result->candidate, 1), 1 + 0.39 * 0.4 * 0.2, 1e-12);
+  EXPECT_NEAR(volume_of(*result->candidate, 2), 1, 1e-12);
+  EXPECT_NEAR(interface_area(*result->candidate), 1, 1e-12);
+}
+
 TEST_F(Bonded, AHoleThatIsTiltedGoesThroughBothExactly) {
   const auto tool = rod({0.4, 0.5, -0.7}, normalized({0.5, 0.05, 1}), 0.15, 4);
 

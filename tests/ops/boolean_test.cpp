@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // services::boolean on blocks whose volumes can be had by hand, and on tools that are none.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -14,13 +15,16 @@
 #include "mesh/quality.hpp"
 #include "ops/boolean/boolean.hpp"
 #include "ops/services/host_services.hpp"
+#include "ops/services/notices.hpp"
 #include "ops/tools/tools.hpp"
 #include "tests/support/meshes.hpp"
 
 namespace tedit::ops {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 class Boolean : public ::testing::Test {
 protected:
@@ -106,6 +110,34 @@ TEST_F(Boolean, WhatSeveralHaveTouchedIsFoundAgain) {
   const auto report = check_edit(*block_, *both.candidate, claim);
   EXPECT_TRUE(report.ok()) << to_error(report).message;
   EXPECT_LT(claim.touched.size(), both.candidate->tet_count());
+}
+
+TEST_F(Boolean, WhereLittleIsLeftTetsAreAsSmallAsThat) {
+  // A pocket that leaves a bottom of 4 mm, among edges of 125 mm.
+  const auto pocket = made(block_, brick({0.4, 0.4, 0.004}, {0.1, 0.1, 1}), boolean_mode::cut);
+  auto* const telling = dynamic_cast<telling_services*>(host_.get());
+  ASSERT_NE(telling, nullptr);
+
+  EXPECT_NEAR(pocket.volume_change, -0.1 * 0.1 * 0.996, 1e-12);
+  EXPECT_GE(pocket.worst_after, 0.1);
+  EXPECT_THAT(telling->take_notices(),
+              ElementsAre(HasSubstr("only 4 mm of the part are left between two of its walls")));
+
+  // And a tilted hole whose lowest corner ends 2 mm above the bottom.
+  auto tool = rod({0.5, 0.5, 0}, normalized({0.3, 0, 1}), 0.15, 2);
+  const double lowest = std::ranges::min(tool.points, {}, &vec3::z).z;
+  for (auto& p : tool.points)
+    p.z += 0.002 - lowest;
+  const auto hole = made(block_, tool, boolean_mode::cut);
+
+  EXPECT_GE(hole.worst_after, 0.1);
+  EXPECT_THAT(telling->take_notices(), ElementsAre(HasSubstr("only 2 mm")));
+}
+
+TEST_F(Boolean, WhatIsNotThinIsNotTold) {
+  (void)made(block_, brick({0.4, 0.4, 0.3}, {0.1, 0.1, 1}), boolean_mode::cut);
+
+  EXPECT_THAT(dynamic_cast<telling_services&>(*host_).take_notices(), IsEmpty());
 }
 
 /// Of each surface in millionths, by its name and, where the part had it, its id.
