@@ -28,10 +28,12 @@ constexpr double flip_limit = 0.978;       // 12 degrees
 constexpr double poor_flip_limit = 0.883;  // 28 degrees
 
 /// Edges where little is left are so many times as long as that; and in so many rounds, or until
-/// there are so many faces, alive or not.
+/// there are so many times as many faces. Gaps below this share of the least size
+/// end it.
 constexpr double thin_edges = 2.5;
 constexpr int thin_rounds = 8;
-constexpr std::size_t most_faces = 60'000;
+constexpr std::size_t most_growth = 4;
+constexpr double hopeless_gap = 1;
 
 class cleaner {
 public:
@@ -378,13 +380,22 @@ private:
 
   /// Where little is left between two faces their triangles become as small.
   void refine_thin() {
+    const auto most = most_growth * count_alive();
     for (int round = 0; round < thin_rounds && !cancel_.cancelled(); ++round) {
-      if (mesh_.faces.size() > most_faces ||
-          !shrink_at(mesh_, thin_places(mesh_), thin_edges, least_fine_))
+      const auto places = thin_places(mesh_);
+      const auto least = std::ranges::min_element(places, {}, &thin_place::gap);
+      // What no triangle is small enough for comes to nothing.
+      if (least == places.end() || least->gap < hopeless_gap * least_fine_ ||
+          count_alive() > most || !shrink_at(mesh_, places, thin_edges, least_fine_))
         return;
       grade(0.7);
       remesh(2);
     }
+  }
+
+  [[nodiscard]] std::size_t count_alive() const {
+    return static_cast<std::size_t>(
+      std::ranges::count_if(mesh_.faces, [](const auto& f) { return f.alive; }));
   }
 
   // -- sizes ----------------------------------------------------------------------
