@@ -10789,6 +10789,14 @@
         <source>only %1 mm of the part are left between two of its walls near %2</source>
         <translation>zwischen zwei Wänden des Teils bleiben nur %1 mm stehen, bei %2</translation>
     </message>
+    <message>
+        <source>Let the tool go through there, or leave more of the part</source>
+        <translation>Führen Sie das Werkzeug dort durch, oder lassen Sie mehr vom Teil stehen</translation>
+    </message>
+    <message>
+        <source>only %1 mm of the part would be left near %2, too little for good tets (q = %3)</source>
+        <translation>bei %2 bliebe vom Teil nur %1 mm stehen, zu wenig für gute Tetraeder (q = %3)</translation>
+    </message>
 </context>
 <context>
     <name>server_lists</name>

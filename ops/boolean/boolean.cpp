@@ -99,7 +99,6 @@ public:
         best = std::move(*made);
         on_chords_ = last_on_chords_;
         put_on_ = last_put_on_;
-        thin_ = last_thin_;
       }
       if (is_done(*best, i + 1, tries))
         break;
@@ -114,10 +113,7 @@ public:
       return fail(*last);
     }
     if (best->worst_after < std::min(lowest_boolean_quality, best->worst_before))
-      return fail(
-        ec::postcondition_failed,
-        "the tets around the tool would be too flat (q = " + number_text(best->worst_after) + ")",
-        "Move the tool a little: something of it nearly meets an edge of the part");
+      return fail(too_flat(best->worst_after, thin_));
     return std::move(*best);
   }
 
@@ -257,7 +253,8 @@ private:
     auto labelled = surface_of(**opened, how);
     if (!labelled)
       return fail(labelled.error());
-    last_thin_ = how.clean.fine ? thinnest(labelled->mesh, size_) : std::nullopt;
+    if (how.clean.fine)
+      thin_ = thinnest(labelled->mesh, size_);
     auto settings = how.clean;
     if (settings.off_plane <= exact_of_size)
       settings.off_plane = off_walls() / size_;
@@ -426,8 +423,7 @@ private:
   bool on_chords_ = false;
   double last_put_on_ = 0;  ///< Of the last try: see `put_on`.
   double put_on_ = 0;
-  std::optional<thin_remain> last_thin_;  ///< Of the last try: see `combined::thin`.
-  std::optional<thin_remain> thin_;
+  std::optional<thin_remain> thin_;  ///< See `combined::thin`.
   std::optional<bool> are_walls_known_;
   std::map<std::pair<int, bool>, cut_cavity> cuts_;  ///< By rings, and whether beyond.
 };

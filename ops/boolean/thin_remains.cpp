@@ -7,8 +7,10 @@
 #include <optional>
 #include <set>
 
+#include "base/number_range.hpp"
 #include "mesh/box_tree.hpp"
 #include "mesh/distances.hpp"
+#include "mesh/place_text.hpp"
 #include "ops/boolean/remesh.hpp"
 
 namespace tedit::ops {
@@ -147,6 +149,18 @@ std::optional<thin_remain> thinnest(const surface_mesh& mesh, double size) {
   if (found == places.end() || found->gap >= told_share * size)
     return std::nullopt;
   return thin_remain{found->gap, found->foot};
+}
+
+error too_flat(double quality, const std::optional<thin_remain>& thin) {
+  if (thin)
+    return {ec::postcondition_failed,
+            "only " + number_text(1e3 * thin->thickness) + " mm of the part would be left near " +
+              place_text(thin->at) + ", too little for good tets (q = " + number_text(quality) +
+              ")",
+            "Let the tool go through there, or leave more of the part"};
+  return {ec::postcondition_failed,
+          "the tets around the tool would be too flat (q = " + number_text(quality) + ")",
+          "Move the tool a little: something of it nearly meets an edge of the part"};
 }
 
 bool shrink_at(surface_mesh& mesh, const std::vector<thin_place>& places, double edges,

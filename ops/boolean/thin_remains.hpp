@@ -29,6 +29,9 @@ struct thin_place {
 /// The thinnest of them where something is new, if less than a tenth of `size` (m).
 [[nodiscard]] std::optional<thin_remain> thinnest(const surface_mesh& mesh, double size);
 
+/// Why no boolean with tets of such a radius ratio is taken.
+[[nodiscard]] error too_flat(double quality, const std::optional<thin_remain>& thin);
+
 /// Triangles there want edges no longer than `edges` times the gap, but not below `least` (m).
 /// Sizes only get smaller; has any?
 bool shrink_at(surface_mesh& mesh, const std::vector<thin_place>& places, double edges,

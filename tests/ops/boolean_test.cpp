@@ -134,6 +134,15 @@ TEST_F(Boolean, WhereLittleIsLeftTetsAreAsSmallAsThat) {
   EXPECT_THAT(telling->take_notices(), ElementsAre(HasSubstr("only 2 mm")));
 }
 
+TEST_F(Boolean, WhatIsTooThinForTetsIsNamed) {
+  // 0.2 mm are left.
+  const auto why = refusal(brick({0.4, 0.4, 2e-4}, {0.1, 0.1, 1}));
+
+  EXPECT_EQ(why.code, ec::postcondition_failed);
+  EXPECT_THAT(why.message, HasSubstr("only 0.2 mm of the part would be left near ("));
+  EXPECT_THAT(why.remedy, HasSubstr("go through"));
+}
+
 TEST_F(Boolean, WhatIsNotThinIsNotTold) {
   (void)made(block_, brick({0.4, 0.4, 0.3}, {0.1, 0.1, 1}), boolean_mode::cut);
 
