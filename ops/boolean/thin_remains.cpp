@@ -2,7 +2,9 @@
 #include "ops/boolean/thin_remains.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <map>
 #include <optional>
 #include <set>
@@ -151,10 +153,16 @@ std::optional<thin_remain> thinnest(const surface_mesh& mesh, double size) {
   return thin_remain{found->gap, found->foot};
 }
 
+std::string thickness_text(const thin_remain& thin) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.2g", 1e3 * thin.thickness);
+  return text.data();
+}
+
 error too_flat(double quality, const std::optional<thin_remain>& thin) {
   if (thin)
     return {ec::postcondition_failed,
-            "only " + number_text(1e3 * thin->thickness) + " mm of the part would be left near " +
+            "only " + thickness_text(*thin) + " mm of the part would be left near " +
               place_text(thin->at) + ", too little for good tets (q = " + number_text(quality) +
               ")",
             "Let the tool go through there, or leave more of the part"};

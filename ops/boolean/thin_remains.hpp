@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "ops/boolean/boolean.hpp"
@@ -28,6 +29,9 @@ struct thin_place {
 
 /// The thinnest of them where something is new, if less than a tenth of `size` (m).
 [[nodiscard]] std::optional<thin_remain> thinnest(const surface_mesh& mesh, double size);
+
+/// mm, two digits.
+[[nodiscard]] std::string thickness_text(const thin_remain& thin);
 
 /// Why no boolean with tets of such a radius ratio is taken.
 [[nodiscard]] error too_flat(double quality, const std::optional<thin_remain>& thin);

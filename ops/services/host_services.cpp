@@ -8,6 +8,7 @@
 
 #include "mesh/place_text.hpp"
 #include "ops/boolean/boolean.hpp"
+#include "ops/boolean/thin_remains.hpp"
 #include "ops/services/notices.hpp"
 
 namespace tedit::ops {
@@ -24,22 +25,18 @@ thread_local double gained = 0;
 /// What was left thin since that was last told, the thinnest.
 thread_local std::optional<thin_remain> left;
 
-std::string short_number(const char* format, double number) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), format, number);
-  return text.data();
-}
-
 class host_services : public telling_services {
 public:
   std::vector<std::string> take_notices() override {
     std::vector<std::string> notices;
-    if (const double change = std::exchange(gained, 0); change != 0)
+    if (const double change = std::exchange(gained, 0); change != 0) {
+      std::array<char, 32> text{};
+      std::snprintf(text.data(), text.size(), "%+.3g", 1e9 * change);
       notices.push_back("the round walls at the tool follow their arcs closer now: " +
-                        short_number("%+.3g", 1e9 * change) +
-                        " mm3 of the change of volume come of that");
+                        std::string(text.data()) + " mm3 of the change of volume come of that");
+    }
     if (const auto thin = std::exchange(left, std::nullopt))
-      notices.push_back("only " + short_number("%.2g", 1e3 * thin->thickness) +
+      notices.push_back("only " + thickness_text(*thin) +
                         " mm of the part are left between two of its walls near " +
                         place_text(thin->at));
     return notices;
