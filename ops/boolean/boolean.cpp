@@ -125,7 +125,10 @@ public:
   [[nodiscard]] bool on_chords() const { return on_chords_; }
   /// m^3: of its change of volume, what came of new vertices on their walls.
   [[nodiscard]] double put_on() const { return put_on_; }
-  [[nodiscard]] const std::optional<thin_remain>& thin() const { return thin_; }
+  /// Where little is left of the part. What no tets fit into has been merged.
+  [[nodiscard]] std::optional<thin_remain> thin() const {
+    return thin_ && thin_->thickness >= merged_share * size_ ? thin_ : std::nullopt;
+  }
 
   /// The part with shorter chords where the tool is. None, or an error, where that is no help.
   expected<rounder_part> part_with_shorter_chords() {

@@ -27,9 +27,8 @@ constexpr double weld_turn_limit = 0.766;  // 40 degrees
 constexpr double flip_limit = 0.978;       // 12 degrees
 constexpr double poor_flip_limit = 0.883;  // 28 degrees
 
-/// Edges where little is left are so many times as long as that; and in so many rounds, or until
-/// there are so many times as many faces. Gaps below this share of the least size
-/// end it.
+/// Edges where little is left are so many times as long as that, found in so many rounds, or until
+/// there are so many times as many faces. A gap below this share of the least size ends it.
 constexpr double thin_edges = 2.5;
 constexpr int thin_rounds = 8;
 constexpr std::size_t most_growth = 4;

@@ -13,7 +13,8 @@ struct clean_settings {
   double weld = 0.03;        ///< Edges shorter than this go, whatever their triangles look like.
   double least_size = 0.12;  ///< Where creases nearly meet, triangles get at most so much smaller.
   /// Every bend is a crease, and triangles get as small as what is between two of them, in as many
-  /// rounds as that takes; `least_size` is then a share of the new vertices' mean size.
+  /// rounds as that takes, and as small as what is left between two faces; `least_size` is then a
+  /// share of the new vertices' mean size.
   bool fine = false;
 };
 

@@ -25,8 +25,9 @@ constexpr double wedge_gaps = 30;
 /// Cosine from which on two faces look away from each other.
 constexpr double opposite = -0.5;
 
-/// Of an edge: what is thinner is worth telling people.
+/// Of an edge: what is thinner is worth telling people, but not what is rounding.
 constexpr double told_share = 0.1;
+constexpr double rounding_share = 1e-4;
 
 /// Sizes grow by so much a length from where it is thin, as `clean_surface` lets them grow.
 constexpr double growth = 0.7;
@@ -145,6 +146,8 @@ std::optional<thin_remain> thinnest(const surface_mesh& mesh, double size) {
   const auto is_new = [&](std::uint32_t v) { return mesh.vertices[v].origin < 0; };
   // What the part had before is nobody's news.
   std::erase_if(places, [&](const thin_place& place) {
+    if (place.gap < rounding_share * size)
+      return true;
     return !is_new(place.vertex) && std::ranges::none_of(mesh.faces[place.face].v, is_new);
   });
   const auto found = std::ranges::min_element(places, {}, &thin_place::gap);

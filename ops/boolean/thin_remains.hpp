@@ -27,7 +27,8 @@ struct thin_place {
 /// O(faces log faces).
 [[nodiscard]] std::vector<thin_place> thin_places(const surface_mesh& mesh);
 
-/// The thinnest of them where something is new, if less than a tenth of `size` (m).
+/// The thinnest of them where something is new, if less than a tenth of `size` (m) and more than
+/// rounding.
 [[nodiscard]] std::optional<thin_remain> thinnest(const surface_mesh& mesh, double size);
 
 /// mm, two digits.
