@@ -30,7 +30,8 @@ constexpr std::array boolean_ways{boolean_way{1, 2, {exact_of_size, 0.005, 0.05}
                                   boolean_way{2, 4, {2e-2, 0.06, 0.12}},
                                   boolean_way{2, 4, {2e-2, 0.1, 0.3}}};
 
-/// Of the local size: nothing thinner is left by an edit that is done.
+/// Of the local size: what is thinner where the cut was made is not told of an edit that is done,
+/// as cleaning merges what is so close.
 inline constexpr double merged_share = 1e-3;
 
 /// Tools of more triangles are tried twice only, fillings of more tets are not mended besides.
